@@ -1,0 +1,16 @@
+# Flags that every target of ours is compiled with. VTK modules are passed by their module name.
+function(volumebench_compile_options target)
+  get_target_property(aliased "${target}" ALIASED_TARGET)
+  if(aliased)
+    set(target "${aliased}")
+  endif()
+  target_compile_options("${target}" PRIVATE -Wall -Wextra)
+  if(VOLUMEBENCH_WARNINGS_AS_ERRORS)
+    target_compile_options("${target}" PRIVATE -Werror)
+  endif()
+endfunction()
+
+if(VOLUMEBENCH_SANITIZE)
+  add_compile_options(-fsanitize=address,undefined -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=address,undefined)
+endif()

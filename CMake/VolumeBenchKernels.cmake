@@ -1,0 +1,20 @@
+# Embeds every file under Shaders/ and one table that finds them by their path below it.
+function(volumebench_embed_kernels template sources_variable)
+  set(root "${PROJECT_SOURCE_DIR}/Shaders")
+  file(GLOB_RECURSE kernels CONFIGURE_DEPENDS RELATIVE "${root}" "${root}/*.h" "${root}/*.vert"
+    "${root}/*.frag" "${root}/*.comp" "${root}/*.cl" "${root}/*.cu")
+  set(sources "")
+  set(KERNEL_DECLARATIONS "")
+  set(KERNEL_ROWS "")
+  foreach(kernel IN LISTS kernels)
+    string(MAKE_C_IDENTIFIER "kernel_${kernel}" symbol)
+    vtk_encode_string(INPUT "${root}/${kernel}" NAME "${symbol}"
+      HEADER_OUTPUT header SOURCE_OUTPUT source)
+    list(APPEND sources "${source}")
+    string(APPEND KERNEL_DECLARATIONS "extern const char* ${symbol};\n")
+    string(APPEND KERNEL_ROWS "    { \"${kernel}\", ${symbol} },\n")
+  endforeach()
+  set(table "${CMAKE_CURRENT_BINARY_DIR}/KernelTexts.cxx")
+  configure_file("${template}" "${table}" @ONLY)
+  set("${sources_variable}" ${sources} "${table}" PARENT_SCOPE)
+endfunction()

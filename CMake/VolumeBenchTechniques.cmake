@@ -1,0 +1,53 @@
+# The machinery behind Plugin/Techniques.cmake. A row is
+#   volumebench_technique(<id> CLASS <Class> LABEL "<label in ParaView>")
+# and gives: the factory entry, the source pair Techniques/<Class>.h/.cxx, the representation type
+# in ParaView's list, its panel, and a case in every image test.
+set(volumebench_technique_ids "")
+
+function(volumebench_technique id)
+  cmake_parse_arguments(PARSE_ARGV 1 row "" "CLASS;LABEL" "")
+  if(NOT row_CLASS OR NOT row_LABEL OR row_UNPARSED_ARGUMENTS)
+    message(FATAL_ERROR "volumebench_technique(${id}): CLASS and LABEL are needed, nothing else")
+  endif()
+  if("${id}" IN_LIST volumebench_technique_ids)
+    message(FATAL_ERROR "volumebench_technique(${id}): this technique is listed twice")
+  endif()
+  list(APPEND volumebench_technique_ids "${id}")
+  set(volumebench_technique_ids "${volumebench_technique_ids}" PARENT_SCOPE)
+  set("volumebench_class_${id}" "${row_CLASS}" PARENT_SCOPE)
+  set("volumebench_label_${id}" "${row_LABEL}" PARENT_SCOPE)
+endfunction()
+
+# Writes the factory table from the rows; its source goes to the variable named `source_variable`.
+function(volumebench_generate_technique_table template source_variable)
+  set(TECHNIQUE_INCLUDES "")
+  set(TECHNIQUE_ROWS "")
+  foreach(id IN LISTS volumebench_technique_ids)
+    set(class "${volumebench_class_${id}}")
+    string(APPEND TECHNIQUE_INCLUDES "#include \"Techniques/${class}.h\"\n")
+    string(APPEND TECHNIQUE_ROWS
+      "    { \"${id}\", \"${volumebench_label_${id}}\",\n"
+      "      []() -> std::unique_ptr<Technique> { return std::make_unique<${class}>(); } },\n")
+  endforeach()
+  set(source "${CMAKE_CURRENT_BINARY_DIR}/TechniqueTable.cxx")
+  configure_file("${template}" "${source}" @ONLY)
+  set("${source_variable}" "${source}" PARENT_SCOPE)
+endfunction()
+
+# Writes the server-manager XML of the representations from the rows.
+function(volumebench_generate_representation_xml template xml_variable)
+  set(REPRESENTATION_TYPES "")
+  set(REPRESENTATION_DECORATORS "")
+  foreach(id IN LISTS volumebench_technique_ids)
+    set(label "${volumebench_label_${id}}")
+    string(APPEND REPRESENTATION_TYPES
+      "      <RepresentationType subproxy=\"VolumeBenchRepresentation\"\n"
+      "                          text=\"${label}\" subtype=\"${id}\" />\n")
+    string(APPEND REPRESENTATION_DECORATORS
+      "                  <PropertyWidgetDecorator type=\"GenericDecorator\" mode=\"visibility\"\n"
+      "                    property=\"Representation\" value=\"${label}\" />\n")
+  endforeach()
+  set(xml "${CMAKE_CURRENT_BINARY_DIR}/Representations.xml")
+  configure_file("${template}" "${xml}" @ONLY)
+  set("${xml_variable}" "${xml}" PARENT_SCOPE)
+endfunction()

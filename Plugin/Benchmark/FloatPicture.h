@@ -1,0 +1,27 @@
+// What a renderer shows, as linear premultiplied RGBA in 32-bit float over a transparent
+// background: the measure of error must not be rounded to 8 bits.
+#ifndef volumebench_FloatPicture_h
+#define volumebench_FloatPicture_h
+
+#include "VolumeBenchBenchmarkModule.h"
+
+#include <vector>
+
+class vtkRenderer;
+
+namespace volumebench
+{
+struct FloatPicture
+{
+  int Width = 0;
+  int Height = 0;
+  std::vector<float> Pixels; // Width * Height * 4, bottom row first
+};
+
+/// Renders the renderer's visible props with their mappers as they are set now into a float
+/// framebuffer of the renderer's size. Throws std::runtime_error when there is no OpenGL window or
+/// no float framebuffer. The renderer and its window are left as found.
+VOLUMEBENCHBENCHMARK_EXPORT FloatPicture RenderToFloat(vtkRenderer* renderer);
+}
+
+#endif

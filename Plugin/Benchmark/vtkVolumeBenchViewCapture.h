@@ -1,0 +1,51 @@
+/**
+ * @class   vtkVolumeBenchViewCapture
+ * @brief   writes what a ParaView render view shows as a float picture
+ *
+ * The picture is linear premultiplied RGBA, 32-bit float, little-endian, width * height * 4 values,
+ * bottom row first, over a transparent background: the view's props, camera and mapper settings as
+ * they are, without the view's image-space effects (FXAA, SSAO). The file appears whole or not at
+ * all.
+ */
+#ifndef vtkVolumeBenchViewCapture_h
+#define vtkVolumeBenchViewCapture_h
+
+#include "VolumeBenchBenchmarkModule.h" // for the export macro
+#include "vtkObject.h"
+#include "vtkWeakPointer.h" // for the view
+
+#include <string> // for the file name
+
+class vtkPVRenderView;
+class vtkPVView;
+
+class VOLUMEBENCHBENCHMARK_EXPORT vtkVolumeBenchViewCapture : public vtkObject
+{
+public:
+  static vtkVolumeBenchViewCapture* New();
+  vtkTypeMacro(vtkVolumeBenchViewCapture, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  void SetView(vtkPVView* view);
+
+  vtkSetStdStringFromCharMacro(FileName);
+  vtkGetCharFromStdStringMacro(FileName);
+
+  /**
+   * Renders and writes. What goes wrong is reported as one error that names the file or the cause.
+   */
+  void Capture();
+
+protected:
+  vtkVolumeBenchViewCapture();
+  ~vtkVolumeBenchViewCapture() override;
+
+private:
+  vtkVolumeBenchViewCapture(const vtkVolumeBenchViewCapture&) = delete;
+  void operator=(const vtkVolumeBenchViewCapture&) = delete;
+
+  vtkWeakPointer<vtkPVRenderView> View;
+  std::string FileName;
+};
+
+#endif

@@ -1,0 +1,109 @@
+"""Finds a volume by name: built in, generated, or a file in the user's data folder."""
+
+import math
+from dataclasses import dataclass
+from pathlib import Path
+
+from .errors import StudyError
+from .generators import Lemniscate, write_volume
+from .json_file import check_schema, read_json
+from .study import Dataset
+
+MRI_FILE = Path("/usr/share/mricron/templates/ch2.nii.gz")
+EXTENSIONS = (".nrrd", ".mhd", ".vti", ".nii", ".nii.gz", ".raw")
+SCALAR_BYTES = {
+    "int8": 1,
+    "uint8": 1,
+    "int16": 2,
+    "uint16": 2,
+    "int32": 4,
+    "uint32": 4,
+    "float32": 4,
+    "float64": 8,
+}
+
+
+@dataclass(frozen=True)
+class RawLayout:
+    """What a .raw file does not say of itself; read from the .json file beside it."""
+
+    dims: tuple[int, int, int]
+    scalar_type: str
+    spacing: tuple[float, float, float] = (1.0, 1.0, 1.0)
+    byte_order: str = "little"
+
+
+@dataclass(frozen=True)
+class VolumeFile:
+    """Where a volume lies and how it is to be read."""
+
+    name: str
+    path: Path
+    raw: RawLayout | None = None
+    upright: bool = False
+
+
+def find_volume(dataset: Dataset, data_folder: Path | None, cache: Path) -> VolumeFile:
+    """Return the file of a dataset; a generated one is written into the cache folder."""
+    name = dataset.name
+    if name == "lemniscate":
+        return VolumeFile(name, write_volume(_lemniscate(dataset), cache))
+    if data_folder is not None:
+        for extension in EXTENSIONS:
+            path = data_folder / f"{name}{extension}"
+            if path.is_file():
+                raw = read_raw_layout(path) if extension == ".raw" else None
+                return VolumeFile(name, path, raw)
+    if name == "mri":
+        return _built_in_mri()
+    looked = (
+        f"in {data_folder}" if data_folder else "nowhere: no --data folder is given"
+    )
+    raise StudyError(
+        f'dataset "{name}": no file {name} with extension '
+        f'{", ".join(item[1:] for item in EXTENSIONS)}; looked {looked}; '
+        "built in: mri, lemniscate"
+    )
+
+
+def _lemniscate(dataset: Dataset) -> Lemniscate:
+    given = {
+        "dims": dataset.dims,
+        "scalar_type": dataset.scalar_type,
+        "extent": dataset.extent,
+    }
+    return Lemniscate(**{key: value for key, value in given.items() if value})
+
+
+def _built_in_mri() -> VolumeFile:
+    if not MRI_FILE.is_file():
+        raise StudyError(
+            f'dataset "mri": {MRI_FILE} is missing; install the package mricron-data'
+        )
+    return VolumeFile("mri", MRI_FILE, upright=True)
+
+
+def read_raw_layout(path: Path) -> RawLayout:
+    """Read NAME.json beside NAME.raw and check it against the size of the file."""
+    sidecar = path.with_suffix(".json")
+    if not sidecar.is_file():
+        raise StudyError(
+            f"{path}: {sidecar.name} is missing beside it; it gives dims and scalar_type"
+        )
+    document = read_json(sidecar)
+    check_schema(document, "raw_volume_schema.json", sidecar)
+    layout = RawLayout(
+        tuple(document["dims"]),
+        document["scalar_type"],
+        tuple(float(value) for value in document.get("spacing", (1, 1, 1))),
+        document.get("byte_order", "little"),
+    )
+    expected = math.prod(layout.dims) * SCALAR_BYTES[layout.scalar_type]
+    actual = path.stat().st_size
+    if actual != expected:
+        size = " x ".join(str(count) for count in layout.dims)
+        raise StudyError(
+            f"{path}: has {actual} bytes, but {sidecar.name} says {size} of "
+            f"{layout.scalar_type}, that is {expected} bytes"
+        )
+    return layout

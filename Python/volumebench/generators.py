@@ -1,0 +1,102 @@
+"""Volumes from implicit equations, computed slice by slice so that any size fits in memory."""
+
+import math
+import os
+import tempfile
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from .errors import BenchError
+from .json_file import write_atomically
+
+META_TYPES = {"uint8": "MET_UCHAR", "uint16": "MET_USHORT", "float32": "MET_FLOAT"}
+
+
+@dataclass(frozen=True)
+class Lemniscate:
+    """Nested Cassini ovals of revolution about z, with Bernoulli's lemniscate among them.
+
+    With d1 and d2 the distances to two foci on the z axis and c half their distance apart,
+    t = sqrt(d1 d2) / c is 0 at the foci and 1 on the lemniscate. The value 1 / (1 + t^2) falls
+    off smoothly outwards, so each level is one closed shell: two drops, a figure eight, a
+    peanut. It is scaled to 0 at the corners of the box and 1 at the foci.
+    """
+
+    dims: tuple[int, int, int] = (96, 96, 200)
+    scalar_type: str = "uint16"
+    extent: float = 1.7
+
+    def file_stem(self) -> str:
+        """Return a name that holds every parameter, so that a stored volume can be reused."""
+        size = "x".join(str(count) for count in self.dims)
+        return f"lemniscate-{size}-{self.scalar_type}-extent{self.extent:g}"
+
+    def slices(self) -> Iterator[np.ndarray]:
+        """Yield the slices along z, each [y, x], in the scalar type of the volume."""
+        axes = self._axes()
+        radius_squared = axes[0][None, :] ** 2 + axes[1][:, None] ** 2
+        corner = self._field(axes[0][0] ** 2 + axes[1][0] ** 2, axes[2][0])
+        for z in axes[2]:
+            value = (self._field(radius_squared, z) - corner) / (1 - corner)
+            yield self._quantised(np.clip(value, 0, 1))
+
+    def _axes(self) -> list[np.ndarray]:
+        """Return sample positions in focal distances; z spans [-extent, extent]."""
+        spacing = 2 * self.extent / (self.dims[2] - 1)
+        return [(np.arange(n) - (n - 1) / 2) * spacing for n in self.dims]
+
+    @staticmethod
+    def _field(radius_squared: np.ndarray, z: float) -> np.ndarray:
+        product = np.sqrt(
+            (radius_squared + (z - 1) ** 2) * (radius_squared + (z + 1) ** 2)
+        )
+        return 1 / (1 + product)
+
+    def _quantised(self, value: np.ndarray) -> np.ndarray:
+        if self.scalar_type == "float32":
+            return value.astype("<f4")
+        stored = np.dtype(self.scalar_type).newbyteorder("<")
+        return np.rint(value * np.iinfo(stored).max).astype(stored)
+
+
+def write_volume(generator: Lemniscate, folder: Path) -> Path:
+    """Write NAME.raw and NAME.mhd unless both are there; the header comes last."""
+    header = folder / f"{generator.file_stem()}.mhd"
+    raw = header.with_suffix(".raw")
+    byte_count = math.prod(generator.dims) * np.dtype(generator.scalar_type).itemsize
+    if header.is_file() and raw.is_file() and raw.stat().st_size == byte_count:
+        return header
+    _write_raw(generator, raw)
+    lines = [
+        "ObjectType = Image",
+        "NDims = 3",
+        "BinaryData = True",
+        "BinaryDataByteOrderMSB = False",
+        "DimSize = " + " ".join(str(count) for count in generator.dims),
+        "ElementSpacing = 1 1 1",
+        f"ElementType = {META_TYPES[generator.scalar_type]}",
+        f"ElementDataFile = {raw.name}",
+    ]
+    write_atomically(header, "\n".join(lines) + "\n")
+    return header
+
+
+def _write_raw(generator: Lemniscate, raw: Path) -> None:
+    temporary = None
+    try:
+        raw.parent.mkdir(parents=True, exist_ok=True)
+        handle, name = tempfile.mkstemp(dir=raw.parent, prefix=f".{raw.name}.")
+        temporary = Path(name)
+        with os.fdopen(handle, "wb") as stream:
+            for layer in generator.slices():
+                stream.write(layer.tobytes())
+        temporary.chmod(0o644)
+        temporary.replace(raw)
+    except OSError as fault:
+        raise BenchError(f"{raw}: cannot be written: {fault.strerror}") from None
+    finally:
+        if temporary is not None:
+            temporary.unlink(missing_ok=True)

@@ -1,0 +1,51 @@
+"""The camera of a study as a pure function of the frame, so that every technique sees the same."""
+
+import math
+from dataclasses import dataclass
+
+from .study import Camera
+
+VIEW_ANGLE_DEGREES = 30.0
+Vector = tuple[float, float, float]
+Bounds = tuple[float, float, float, float, float, float]
+
+
+@dataclass(frozen=True)
+class CameraPose:
+    """Where the camera stands, what it looks at, and which way is up."""
+
+    position: Vector
+    focal_point: Vector
+    view_up: Vector = (0.0, 1.0, 0.0)
+    view_angle_degrees: float = VIEW_ANGLE_DEGREES
+
+
+def orbit_pose(frame: float, frames: int, bounds: Bounds, camera: Camera) -> CameraPose:
+    """Return the pose of one frame: azimuth 360 * frame / frames about y, from +z at frame 0.
+
+    At zoom 1 the bounding sphere just fits the view angle; zoom z divides the distance by z.
+    """
+    low, high = bounds[0::2], bounds[1::2]
+    center = tuple((a + b) / 2 for a, b in zip(low, high))
+    radius = math.dist(low, high) / 2 or 0.5
+    distance = radius / math.sin(math.radians(VIEW_ANGLE_DEGREES / 2)) / camera.zoom
+    azimuth = 2 * math.pi * frame / frames
+    elevation = math.radians(camera.elevation_degrees)
+    direction = (
+        math.cos(elevation) * math.sin(azimuth),
+        math.sin(elevation),
+        math.cos(elevation) * math.cos(azimuth),
+    )
+    position = tuple(c + distance * d for c, d in zip(center, direction))
+    return CameraPose(position, center)
+
+
+def block_frames(block: int, size: int, frames: int) -> list[int]:
+    """Return the frames of a block, spread evenly over the revolution.
+
+    A run that stops after any whole number of blocks has then seen all sides of the volume,
+    and successive blocks fill the gaps until every frame was shown.
+    """
+    size = min(size, frames)
+    shift = block % math.ceil(frames / size)
+    return [(index * frames // size + shift) % frames for index in range(size)]

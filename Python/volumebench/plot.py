@@ -1,0 +1,236 @@
+"""Figures of a study: frames per second, and image error against time with one curve each."""
+
+from pathlib import Path
+from typing import Any
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt  # noqa: E402
+from matplotlib.ticker import FuncFormatter, LogLocator  # noqa: E402
+
+from .error import EIGHT_BIT_RMSE  # noqa: E402
+from .errors import BenchError  # noqa: E402
+from .results import OK, Record  # noqa: E402
+from .study import Scene  # noqa: E402
+from .summary import in_scene, is_peer, lines, sampling_text, scenes_of  # noqa: E402
+from .techniques import PARAVIEW, TECHNIQUES  # noqa: E402
+
+FOLDER = "plots"
+PEER_COLOR = "#3a3f4a"
+COLORS = (
+    "#0072b2",
+    "#d55e00",
+    "#009e73",
+    "#cc79a7",
+    "#e69f00",
+    "#56b4e9",
+    "#7a5195",
+    "#8c564b",
+)
+PATH_TITLES = {
+    "engine": "engine: the filter's own window",
+    "view": "view: ParaView, still render",
+    "interactive": "interactive: ParaView while dragging",
+    "remote": "remote: client and server",
+}
+_STYLE = {
+    "font.size": 9,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "axes.edgecolor": "#9aa0ab",
+    "axes.titlesize": 10,
+    "axes.titleweight": "bold",
+    "axes.titlelocation": "left",
+    "axes.axisbelow": True,
+    "grid.color": "#e4e6ea",
+    "legend.frameon": False,
+    "figure.dpi": 130,
+}
+
+
+def technique_color(technique: str) -> str:
+    """Return the colour of a technique, the same in every figure."""
+    if TECHNIQUES[technique].peer:
+        return PEER_COLOR
+    ours = [name for name, item in TECHNIQUES.items() if not item.peer]
+    return COLORS[ours.index(technique) % len(COLORS)]
+
+
+def error_plot_file(scene: Scene) -> str:
+    """Return the name of a scene's error figure."""
+    return f"error-time-{scene.file_stem()}.png"
+
+
+def fps_plot_file(scene: Scene) -> str:
+    """Return the name of a scene's speed figure."""
+    return f"fps-{scene.file_stem()}.png"
+
+
+def write_plots(folder: Path, records: list[Record]) -> None:
+    """Write the figures of each scene that has something to show."""
+    target = folder / FOLDER
+    for scene in scenes_of(records):
+        rows = [row for row in in_scene(records, scene) if row.status == OK]
+        with plt.rc_context(_STYLE):
+            if any(row.error.rmse for row in rows):
+                _save(_error_figure(rows), target / error_plot_file(scene))
+            if rows:
+                _save(_fps_figure(rows), target / fps_plot_file(scene))
+
+
+def _save(figure: Any, path: Path) -> None:
+    try:
+        path.parent.mkdir(exist_ok=True)
+        figure.savefig(path, bbox_inches="tight", facecolor="white")
+    except OSError as fault:
+        raise BenchError(f"{path}: cannot be written: {fault.strerror}") from None
+    finally:
+        plt.close(figure)
+
+
+def _error_figure(rows: list[Record]) -> Any:
+    """One panel per path, all with the same axes."""
+    shown = [row for row in rows if row.error.rmse and row.frame_ms.median]
+    paths = list(dict.fromkeys(row.path for row in shown))
+    figure, panels = plt.subplots(
+        1,
+        len(paths),
+        figsize=(max(5.2, 3.9 * len(paths)), 3.6),
+        sharex=True,
+        sharey=True,
+        squeeze=False,
+    )
+    for panel, path in zip(panels[0], paths):
+        _error_panel(panel, [row for row in shown if row.path == path])
+        panel.set_title(PATH_TITLES[path])
+        panel.set_xlabel("time of one frame (ms)")
+        _limit_errors(panel, shown)
+    panels[0][0].set_ylabel("RMSE against the reference")
+    handles: dict[str, Any] = {}
+    for panel in panels[0]:
+        for handle, label in zip(*panel.get_legend_handles_labels()):
+            handles.setdefault(label, handle)
+    figure.tight_layout()
+    figure.legend(
+        handles.values(),
+        handles.keys(),
+        loc="upper center",
+        bbox_to_anchor=(0.5, 0.0),
+        ncol=min(len(handles), 5),
+    )
+    return figure
+
+
+def _error_panel(panel: Any, rows: list[Record]) -> None:
+    panel.set_xscale("log")
+    panel.set_yscale("log")
+    panel.grid(True, which="major")
+    for technique, integrator in dict.fromkeys(
+        (row.technique, row.integrator) for row in rows
+    ):
+        curve = [
+            row
+            for row in rows
+            if (row.technique, row.integrator) == (technique, integrator)
+        ]
+        if is_peer(curve[0]):
+            _peer_star(panel, curve[0])
+        else:
+            _curve(panel, curve)
+    panel.axhline(
+        EIGHT_BIT_RMSE,
+        color="#b0b5bf",
+        linewidth=1,
+        linestyle=(0, (1, 2)),
+        label="rounding of an 8-bit screen",
+    )
+    panel.xaxis.set_major_locator(LogLocator(base=10, subs=(1, 2, 5)))
+    panel.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
+    panel.xaxis.set_minor_locator(LogLocator(base=10, subs=()))
+
+
+def _limit_errors(panel: Any, rows: list[Record]) -> None:
+    """Frame the measured errors; shade those that the reference is too coarse for."""
+    errors = [row.error.rmse for row in rows]
+    bottom, top = min(errors) / 2.5, max(errors) * 2.5
+    panel.set_ylim(bottom, top)
+    doubt = max(row.error.reference_uncertainty or 0 for row in rows)
+    if doubt > bottom:
+        label = "uncertainty of the reference"
+        panel.axhspan(
+            bottom, doubt, color="#f1ddd8", linewidth=0, zorder=0, label=label
+        )
+
+
+def _peer_star(panel: Any, row: Record) -> None:
+    title = TECHNIQUES[row.technique].title
+    x, y = row.frame_ms.median, row.error.rmse
+    face = "#f2b705" if row.technique == PARAVIEW else "#b9bec8"
+    panel.scatter(
+        x, y, marker="*", s=190, color=face, edgecolor=PEER_COLOR, zorder=5, label=title
+    )
+
+
+def _curve(panel: Any, rows: list[Record]) -> None:
+    ordered = sorted(rows, key=lambda row: row.step_voxels or 0)
+    x = [row.frame_ms.median for row in ordered]
+    y = [row.error.rmse for row in ordered]
+    first = ordered[0]
+    left = first.integrator == "Left"
+    panel.plot(
+        x,
+        y,
+        color=technique_color(first.technique),
+        linestyle="--" if left else "-",
+        marker="o",
+        markersize=4.5,
+        markerfacecolor="white" if left else technique_color(first.technique),
+        linewidth=1.6,
+        label=f"{TECHNIQUES[first.technique].title}, {first.integrator}",
+    )
+    if not left and len(ordered) > 1:
+        for row, side in ((ordered[0], (4, 4)), (ordered[-1], (4, 4))):
+            panel.annotate(
+                f"step {row.step_voxels:g}",
+                (row.frame_ms.median, row.error.rmse),
+                xytext=side,
+                textcoords="offset points",
+                fontsize=7,
+                color="#5b616d",
+            )
+
+
+def _fps_figure(rows: list[Record]) -> Any:
+    """Bars of frames per second at equal or smaller error, one group per path."""
+    shown = lines(rows)
+    labels = [_bar_label(line.record) for line in shown]
+    height = 0.34 * len(shown) + 0.9
+    figure, panel = plt.subplots(figsize=(6.4, height))
+    positions, ticks = [], []
+    top, previous = 0.0, None
+    for line in shown:
+        top += 1.0 if line.record.path == previous else 1.6
+        previous = line.record.path
+        positions.append(top)
+        ticks.append(top)
+    speeds = [line.record.fps or 0 for line in shown]
+    colors = [technique_color(line.record.technique) for line in shown]
+    panel.barh(positions, speeds, color=colors, height=0.78)
+    for line, position, speed in zip(shown, positions, speeds):
+        factor = line.speed_up() if line.matched else None
+        text = f" {speed:.1f}" + (f"  ({factor:.1f}x)" if factor else "")
+        panel.text(speed, position, text, va="center", fontsize=8)
+    panel.set_yticks(ticks, labels)
+    panel.invert_yaxis()
+    panel.set_xlim(0, max(speeds) * 1.22 or 1)
+    panel.grid(True, axis="x")
+    panel.tick_params(axis="y", length=0)
+    panel.set_xlabel("frames per second (in brackets: against the peer of that path)")
+    return figure
+
+
+def _bar_label(record: Record) -> str:
+    title = TECHNIQUES[record.technique].title
+    sampling = "" if record.step_voxels is None else f" ({sampling_text(record)})"
+    return f"{record.path}: {title}{sampling}"

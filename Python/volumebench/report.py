@@ -1,0 +1,250 @@
+"""A self-contained report.html: figures, tables, pictures and failures, readable offline."""
+
+import base64
+from dataclasses import asdict
+from html import escape
+from pathlib import Path
+
+from .gallery import FOLDER as PICTURE_FOLDER
+from .gallery import Gallery, read_galleries
+from .json_file import write_atomically
+from .plot import FOLDER as PLOT_FOLDER
+from .plot import PATH_TITLES, error_plot_file, fps_plot_file
+from .report_style import HOW_TO_READ, STYLE
+from .results import Context, Record
+from .study import Scene, Study
+from .summary import Line, in_scene, lines, missing_groups, number
+from .summary import sampling_text, scenes_of
+from .techniques import TECHNIQUES
+
+_CONTEXT_TITLES = {
+    "date": "Date (UTC)",
+    "host": "Host",
+    "cpu": "Processor",
+    "cores": "Cores",
+    "gl_renderer": "OpenGL renderer",
+    "gl_version": "OpenGL version",
+    "paraview": "ParaView",
+    "vtk": "VTK",
+    "plugin": "Plugin",
+    "build_type": "Build type",
+    "cuda_device": "CUDA device",
+    "opencl_device": "OpenCL device",
+}
+
+
+def write_report(
+    folder: Path,
+    study: Study,
+    context: Context,
+    records: list[Record],
+    notes: list[str],
+) -> None:
+    """Write report.html with everything inlined."""
+    galleries = {gallery.scene: gallery for gallery in read_galleries(folder)}
+    scenes = [
+        _scene_section(folder, scene, records, galleries.get(scene.title()))
+        for scene in scenes_of(records)
+    ]
+    body = "\n".join(
+        [
+            _head(study, context),
+            _summary(records),
+            f'<section class="read"><h2>How to read this</h2>{HOW_TO_READ}</section>',
+            *scenes,
+            _failures(records, notes),
+            _settings(study, context),
+        ]
+    )
+    title = escape(f"VolumeBench: {study.name}")
+    write_atomically(
+        folder / "report.html",
+        '<!doctype html>\n<html lang="en"><head><meta charset="utf-8">'
+        '<meta name="viewport" content="width=device-width, initial-scale=1">'
+        f"<title>{title}</title><style>{STYLE}</style></head>\n<body>{body}</body></html>\n",
+    )
+
+
+def _head(study: Study, context: Context) -> str:
+    machine = " &middot; ".join(
+        escape(str(part))
+        for part in (
+            context.gl_renderer,
+            context.cpu,
+            f"{context.cores} cores" if context.cores else None,
+            f"ParaView {context.paraview}" if context.paraview else None,
+            context.date,
+        )
+        if part
+    )
+    return (
+        f'<header><p class="kicker">VolumeBench</p><h1>{escape(study.name)}</h1>'
+        f"<p>{escape(study.description)}</p>"
+        f'<p class="machine">{machine}</p></header>'
+    )
+
+
+def _summary(records: list[Record]) -> str:
+    """The headline: per scene and path, the peer and each technique at its error."""
+    shown = lines(records)
+    if not shown:
+        return "<section><h2>Result</h2><p>No run was measured.</p></section>"
+    return (
+        "<section><h2>Result</h2><p>Each technique at the fastest setting whose error does not "
+        "exceed the peer's, so the speed-up is at equal or better quality.</p>"
+        f"{_line_table(shown, with_scene=True)}</section>"
+    )
+
+
+def _line_table(shown: list[Line], with_scene: bool) -> str:
+    titles = ["Path", "Technique", "Sampling"]
+    figures = ["ms (quartiles)", "FPS", "RMSE", "99.9 %", "Speed-up"]
+    if with_scene:
+        titles.insert(0, "Scene")
+    head = "".join(f"<th>{title}</th>" for title in titles)
+    head += "".join(f'<th class="n">{title}</th>' for title in figures)
+    rows = []
+    previous = None
+    for line in shown:
+        scene = line.record.run().scene.title()
+        cells = [escape(scene if scene != previous else "")] if with_scene else []
+        rule = ' class="rule"' if with_scene and scene != previous else ""
+        previous = scene
+        rows.append(f"<tr{rule}>{_cells(cells, line)}</tr>")
+    return (
+        f'<div class="wide"><table><thead><tr>{head}</tr></thead>'
+        f'<tbody>{"".join(rows)}</tbody></table></div>'
+    )
+
+
+def _cells(cells: list[str], line: Line) -> str:
+    record = line.record
+    speed_up = line.speed_up()
+    factor = ""
+    if speed_up:
+        factor = f"{speed_up:.1f}&times;"
+        factor = (
+            f"<b>{factor}</b>" if line.matched else f"{factor} (not at equal error)"
+        )
+    texts = [
+        *cells,
+        record.path,
+        escape(TECHNIQUES[record.technique].title),
+        escape(sampling_text(record)),
+    ]
+    spread = record.frame_ms
+    quartiles = ""
+    if spread.q1 is not None and spread.q3 is not None:
+        quartiles = f" <small>({spread.q1:.1f}&ndash;{spread.q3:.1f})</small>"
+    figures = [
+        number(spread.median, ".1f") + quartiles,
+        number(record.fps, ".1f"),
+        number(record.error.rmse, ".2e"),
+        number(record.error.p999, ".2e"),
+        factor,
+    ]
+    text = "".join(f"<td>{cell}</td>" for cell in texts)
+    return text + "".join(f'<td class="n">{cell}</td>' for cell in figures)
+
+
+def _scene_section(
+    folder: Path, scene: Scene, records: list[Record], gallery: Gallery | None
+) -> str:
+    rows = in_scene(records, scene)
+    dims = next((row.dims for row in rows if row.dims), None)
+    size = " &times; ".join(str(count) for count in dims) if dims else "not read"
+    scalar_type = next((row.scalar_type for row in rows if row.scalar_type), "")
+    doubt = max((row.error.reference_uncertainty or 0 for row in rows), default=0)
+    reference = f"; uncertainty of the reference {doubt:.1e} RMSE" if doubt else ""
+    parts = [
+        f"<section><h2>{escape(scene.dataset)} &middot; "
+        f"{escape(scene.transfer_function)}</h2>",
+        f'<p class="machine">{size} {escape(scalar_type)}, picture '
+        f"{scene.image_size[0]} &times; {scene.image_size[1]}{reference}</p>",
+        _figure(folder / PLOT_FOLDER / error_plot_file(scene), "Error against time"),
+        _pictures(folder, gallery),
+        _figure(folder / PLOT_FOLDER / fps_plot_file(scene), "Frames per second"),
+        _all_rows(rows),
+        "</section>",
+    ]
+    return "".join(parts)
+
+
+def _all_rows(rows: list[Record]) -> str:
+    measured = [Line(row, None, False) for row in rows if row.frame_ms.median]
+    if not measured:
+        return ""
+    table = _line_table(measured, with_scene=False)
+    return f"<details><summary>All {len(measured)} measured rows</summary>{table}</details>"
+
+
+def _figure(path: Path, title: str) -> str:
+    if not path.is_file():
+        return ""
+    return f'<img class="plot" alt="{escape(title)}" src="{_inlined(path)}">'
+
+
+def _inlined(path: Path) -> str:
+    return "data:image/png;base64," + base64.b64encode(path.read_bytes()).decode(
+        "ascii"
+    )
+
+
+def _pictures(folder: Path, gallery: Gallery | None) -> str:
+    if gallery is None:
+        return ""
+    cards = []
+    for picture in gallery.pictures:
+        card = _card_image(folder, picture.file, picture.title)
+        card += (
+            f"<figcaption><b>{escape(picture.title)}</b><br>{escape(picture.caption)}"
+        )
+        card += "</figcaption>"
+        if picture.difference_file:
+            card += _card_image(folder, picture.difference_file, "Difference")
+            card += "<figcaption>its difference to the reference, amplified "
+            card += f"{gallery.factor} times</figcaption>"
+        cards.append(f"<figure>{card}</figure>")
+    return f'<div class="pictures">{"".join(cards)}</div>'
+
+
+def _card_image(folder: Path, name: str, title: str) -> str:
+    path = folder / PICTURE_FOLDER / name
+    if not path.is_file():
+        return ""
+    return f'<img alt="{escape(title)}" src="{_inlined(path)}">'
+
+
+def _failures(records: list[Record], notes: list[str]) -> str:
+    rows = [
+        f"<li><b>{group.status}</b>: {escape(group.text())}</li>"
+        for group in missing_groups(records)
+    ]
+    rows += [f"<li>{escape(note)}</li>" for note in notes]
+    text = (
+        f"<ul>{''.join(rows)}</ul>" if rows else "<p>None: every run was measured.</p>"
+    )
+    return f"<section><h2>Rows without a measurement</h2>{text}</section>"
+
+
+def _settings(study: Study, context: Context) -> str:
+    timing, error, camera = study.timing, study.error, study.camera
+    entries = {
+        _CONTEXT_TITLES[name]: "not used" if value is None else value
+        for name, value in asdict(context).items()
+    }
+    entries |= {
+        "Paths": "; ".join(PATH_TITLES[path] for path in study.paths),
+        "Camera": f"{camera.path}, {camera.frames} frames a revolution, elevation "
+        f"{camera.elevation_degrees:g} degrees, zoom {camera.zoom:g}",
+        "Stop rule": f"at least {timing.minimum_frames} frames, noise of the mean "
+        f"{100 * timing.relative_noise:g} %, at most {timing.time_limit_s:g} s a run",
+        "Error": f"{error.views} views, reference step {error.reference_step_voxels:g} voxel",
+        "Ray termination": f"remaining transmittance {study.termination_threshold:g}",
+        "Ray set-up": study.ray_set_up,
+    }
+    rows = "".join(
+        f"<tr><th>{escape(name)}</th><td>{escape(str(value))}</td></tr>"
+        for name, value in entries.items()
+    )
+    return f"<section><h2>Machine and settings</h2><table>{rows}</table></section>"

@@ -1,0 +1,49 @@
+"""Style sheet and fixed text of the report."""
+
+STYLE = """
+:root { color-scheme: light; }
+body { font: 15px/1.55 system-ui, "Segoe UI", Roboto, "Helvetica Neue", sans-serif;
+  color: #1f2430; background: #f3f4f6; margin: 0 auto; max-width: 1120px; padding: 24px; }
+header { margin: 8px 0 24px; }
+.kicker { text-transform: uppercase; letter-spacing: .14em; font-size: 12px; color: #0072b2;
+  font-weight: 600; margin: 0; }
+h1 { font-size: 32px; line-height: 1.2; margin: 2px 0 8px; }
+h2 { font-size: 19px; margin: 0 0 8px; }
+section { background: #fff; border: 1px solid #e2e4e9; border-radius: 8px; padding: 20px 24px;
+  margin: 0 0 18px; }
+section.read { background: #f8fafc; }
+.machine, small, figcaption { color: #5b616d; font-size: 13px; }
+.wide { overflow-x: auto; }
+table { border-collapse: collapse; width: 100%; font-size: 13.5px; }
+th { text-align: left; font-weight: 600; color: #4a505c; white-space: nowrap; }
+th, td { padding: 5px 10px 5px 0; border-bottom: 1px solid #edeff2; vertical-align: top; }
+td.n, th.n { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; }
+tr.rule td { border-top: 2px solid #d5d9e0; }
+img.plot { display: block; max-width: 100%; margin: 12px auto; }
+.pictures { display: grid; grid-template-columns: repeat(auto-fit, minmax(220px, 340px));
+  gap: 14px; margin: 14px 0; align-items: start; justify-content: center; }
+figure { margin: 0; }
+figure img { width: 100%; display: block; border-radius: 4px; background: #000; }
+figcaption { margin: 5px 0 10px; line-height: 1.4; }
+details { margin-top: 10px; }
+summary { cursor: pointer; color: #0072b2; }
+@media print { body { background: #fff; } section { break-inside: avoid; } }
+"""
+
+HOW_TO_READ = """
+<p>Every technique draws the same scene from the same camera. Its <b>error</b> is the distance of
+its picture to a reference with very short steps: RMSE, and the difference that 99.9 % of all
+values stay below, on linear premultiplied float RGBA between 0 and 1, over the pixels that either
+picture covers. 1e-3 is about a quarter of one grey level of an 8-bit screen; the dotted line marks
+what rounding to 8 bits alone costs. The <b>time</b> is the median of whole frames.</p>
+<p>In the error plots, lower and further left is better. A curve joins the steps of one technique,
+from coarse to fine; the star is what ParaView or VTK draws by default, where no such choice is
+offered. Read off the time at the height of the star to compare at equal error. Errors inside the
+shaded band are below the uncertainty of the reference: they are small, but their size is not
+known.</p>
+<p>The three paths answer three questions. <b>engine</b>: how fast is the rendering alone?
+<b>view</b>: how long does ParaView take to show a finished picture, its own overhead included?
+<b>interactive</b>: the same while the mouse drags, when ParaView's own volume rendering lowers its
+quality to stay fluid; compare the errors as well as the speeds there. In a view the techniques
+take turns in random order, so that a busy machine slows all of them alike.</p>
+"""

@@ -1,0 +1,235 @@
+"""The record of a study: results.json and results.csv, where an absent measurement is null."""
+
+import csv
+import io
+import json
+import math
+from dataclasses import asdict, dataclass, field, fields
+from pathlib import Path
+from typing import Any
+
+from .error import ImageError
+from .errors import BenchError
+from .json_file import check_schema, read_json, write_atomically
+from .statistics import Spread, spread
+from .study import Run, Scene
+
+SCHEMA = 1
+OK = "ok"
+UNSUPPORTED = "unsupported"
+FAILED = "failed"
+_LISTS = ("features", "left_out")
+
+
+@dataclass(frozen=True)
+class Context:
+    """The machine and the programs that the figures belong to."""
+
+    date: str | None = None
+    host: str | None = None
+    cpu: str | None = None
+    cores: int | None = None
+    gl_renderer: str | None = None
+    gl_version: str | None = None
+    paraview: str | None = None
+    vtk: str | None = None
+    plugin: str | None = None
+    build_type: str | None = None
+    cuda_device: str | None = None
+    opencl_device: str | None = None
+
+
+@dataclass(frozen=True)
+class SetUpTimes:
+    """Milliseconds of the work done once before the first frame."""
+
+    upload: float | None = None
+    tables: float | None = None
+    grid: float | None = None
+    compile: float | None = None
+
+
+@dataclass(frozen=True)
+class Record:
+    """One row of results.json; the order of the fields is the order in the file."""
+
+    study: str
+    dataset: str
+    dims: tuple[int, int, int] | None
+    scalar_type: str | None
+    transfer_function: str
+    technique: str
+    integrator: str | None
+    blend_mode: str | None
+    step_voxels: float | None
+    image_size: tuple[int, int]
+    view: str
+    path: str
+    features: tuple[str, ...] | None = None
+    left_out: tuple[str, ...] | None = None
+    status: str = OK
+    reason: str | None = None
+    frames: int | None = None
+    frame_ms: Spread = field(default_factory=Spread)
+    gpu_ms: Spread = field(default_factory=Spread)
+    fps: float | None = None
+    setup_ms: SetUpTimes = field(default_factory=SetUpTimes)
+    samples_taken: int | None = None
+    samples_skipped: int | None = None
+    rays_terminated: int | None = None
+    bytes_on_device: int | None = None
+    error: ImageError = field(default_factory=ImageError)
+
+    def run(self) -> Run:
+        """Return the run that this row answers."""
+        scene = Scene(self.dataset, self.transfer_function, self.image_size)
+        sampling = (self.integrator, self.step_voxels)
+        return Run(self.study, scene, self.technique, *sampling, self.view, self.path)
+
+
+def record_of(
+    run: Run, dims: tuple | None, scalar_type: str | None, **values: Any
+) -> Record:
+    """Return the record of a run with the measured values given by name."""
+    scene = run.scene
+    return Record(
+        study=run.study,
+        dataset=scene.dataset,
+        dims=dims,
+        scalar_type=scalar_type,
+        transfer_function=scene.transfer_function,
+        technique=run.technique,
+        integrator=run.integrator,
+        blend_mode=values.pop("blend_mode", "Composite"),
+        step_voxels=run.step_voxels,
+        image_size=scene.image_size,
+        view=run.view,
+        path=run.path,
+        **values,
+    )
+
+
+def times(frame_ms: list[float]) -> dict[str, Any]:
+    """Return the record values that follow from measured frames."""
+    summary = spread(frame_ms)
+    fps = 1000 / summary.median if summary.median else None
+    return {"frames": len(frame_ms) or None, "frame_ms": summary, "fps": fps}
+
+
+def values_of_row(row: dict[str, Any]) -> dict[str, Any]:
+    """Return the record values of a table row whose columns are dotted paths."""
+    cleaned = {name: _cleaned(value) for name, value in row.items()}
+    groups = {
+        "frame_ms": Spread,
+        "gpu_ms": Spread,
+        "setup_ms": SetUpTimes,
+        "error": ImageError,
+    }
+    values: dict[str, Any] = {}
+    for name, group in groups.items():
+        parts = {part.name for part in fields(group)}
+        values[name] = group(**{part: cleaned.get(f"{name}.{part}") for part in parts})
+    for name in _LISTS:
+        text = cleaned.get(name)
+        values[name] = tuple(text.split()) if text else () if name in row else None
+    for name in ("frames", "samples_taken", "samples_skipped", "rays_terminated"):
+        values[name] = _whole(cleaned.get(name))
+    values["bytes_on_device"] = _whole(cleaned.get("bytes_on_device"))
+    for name in ("fps", "reason", "blend_mode"):
+        values[name] = cleaned.get(name)
+    values["status"] = cleaned.get("status") or FAILED
+    return values
+
+
+def _cleaned(value: Any) -> Any:
+    if isinstance(value, float) and not math.isfinite(value):
+        return None
+    return None if value == "" else value
+
+
+def _whole(value: Any) -> int | None:
+    return None if value is None else int(value)
+
+
+def write_results(folder: Path, context: Context, records: list[Record]) -> None:
+    """Write results.json and results.csv."""
+    document = {
+        "schema": SCHEMA,
+        "context": asdict(context),
+        "runs": [asdict(record) for record in records],
+    }
+    text = json.dumps(document, indent=1, allow_nan=False)
+    write_atomically(folder / "results.json", text + "\n")
+    write_atomically(folder / "results.csv", as_csv(records))
+
+
+def read_results(path: Path) -> tuple[Context, list[Record]]:
+    """Read a results.json that this package wrote."""
+    document = read_json(path)
+    check_schema(document, "results_schema.json", path)
+    records = [_record_from(row) for row in document["runs"]]
+    return Context(**document["context"]), records
+
+
+def _record_from(row: dict[str, Any]) -> Record:
+    values = dict(row)
+    for name in ("dims", "image_size", *_LISTS):
+        values[name] = None if values[name] is None else tuple(values[name])
+    for name, group in (
+        ("frame_ms", Spread),
+        ("gpu_ms", Spread),
+        ("setup_ms", SetUpTimes),
+        ("error", ImageError),
+    ):
+        values[name] = group(**values[name])
+    return Record(**values)
+
+
+def flattened(record: Record) -> dict[str, Any]:
+    """Return the record with dotted names; lists are joined, sizes split in w and h."""
+    flat: dict[str, Any] = {}
+    for name, value in asdict(record).items():
+        if isinstance(value, dict):
+            flat.update({f"{name}.{part}": item for part, item in value.items()})
+        elif name == "image_size":
+            flat["image_size.w"], flat["image_size.h"] = value
+        elif name == "dims":
+            flat[name] = None if value is None else "x".join(str(n) for n in value)
+        elif name in _LISTS:
+            flat[name] = None if value is None else " ".join(value)
+        else:
+            flat[name] = value
+    return flat
+
+
+def as_csv(records: list[Record]) -> str:
+    """Return the records as comma-separated text with a header line."""
+    rows = [flattened(record) for record in records]
+    stream = io.StringIO()
+    if rows:
+        writer = csv.DictWriter(stream, list(rows[0]), lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(rows)
+    return stream.getvalue()
+
+
+def check_same_settings(folder: Path, settings: dict[str, Any]) -> None:
+    """Refuse to resume into a folder whose study had other settings."""
+    path = folder / "settings.json"
+    if not path.is_file():
+        raise BenchError(
+            f"{folder}: --resume: settings.json is missing, so the rows cannot be trusted; "
+            "measure into a new folder"
+        )
+    stored = read_json(path)
+    for key, value in settings.items():
+        if stored.get(key) != value:
+            raise BenchError(
+                f'{path}: --resume: "{key}" was {json.dumps(stored.get(key))} and is now '
+                f"{json.dumps(value)}; measure into a new folder"
+            )
+
+
+def write_settings(folder: Path, settings: dict[str, Any]) -> None:
+    """Keep the settings of the study beside its results."""
+    write_atomically(folder / "settings.json", json.dumps(settings, indent=1) + "\n")

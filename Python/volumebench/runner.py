@@ -1,0 +1,200 @@
+"""Runs a study: scene by scene through a session, writing the results after each step."""
+
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any, Protocol
+
+from .datasets import VolumeFile, find_volume
+from .errors import BenchError
+from .gallery import forget_galleries, write_gallery
+from .json_file import make_writable_folder
+from .progress import Progress
+from .results import (
+    FAILED,
+    Context,
+    Record,
+    check_same_settings,
+    read_results,
+    record_of,
+    write_results,
+    write_settings,
+)
+from .study import Run, Scene, Study
+from .techniques import ENGINE
+from .transfer_functions import (
+    TRANSFER_FUNCTION_FOLDER,
+    TransferFunction,
+    find_transfer_function,
+    load_transfer_function,
+)
+from .view_measure import Contestant, Pictures
+
+
+class Session(Protocol):
+    """What the runner asks of session.Session; tests bring their own."""
+
+    def context(self) -> Context:
+        ...
+
+    def open_volume(self, file: VolumeFile) -> Any:
+        ...
+
+    def run_engine(self, volume: Any, function: Any, runs: Any, report: Any) -> Any:
+        ...
+
+    def run_view(self, volume: Any, function: Any, runs: Any, report: Any) -> Any:
+        ...
+
+
+@dataclass
+class Inputs:
+    """Everything a study reads, found and checked before anything is measured."""
+
+    volumes: dict[str, VolumeFile] = field(default_factory=dict)
+    functions: dict[str, TransferFunction] = field(default_factory=dict)
+
+
+def find_inputs(study: Study, data_folder: Path | None, cache: Path) -> Inputs:
+    """Find all volumes and transfer functions of a study."""
+    folders = [study.folder, data_folder, TRANSFER_FUNCTION_FOLDER]
+    given = [folder for folder in folders if folder is not None]
+    inputs = Inputs()
+    for names in study.transfer_functions.values():
+        for name in names:
+            file = find_transfer_function(name, given)
+            inputs.functions[name] = load_transfer_function(file)
+    for dataset in study.datasets:
+        inputs.volumes[dataset.name] = find_volume(dataset, data_folder, cache)
+    return inputs
+
+
+@dataclass
+class Earlier:
+    """What an earlier run left in the output folder; failed rows are measured again."""
+
+    context: Context = field(default_factory=Context)
+    records: list[Record] = field(default_factory=list)
+
+
+def prepare_folder(study: Study, folder: Path, resume: bool) -> Earlier:
+    """Make the output folder and return what needs no new measurement."""
+    make_writable_folder(folder)
+    earlier = Earlier()
+    if resume and (folder / "results.json").is_file():
+        check_same_settings(folder, study.settings())
+        context, records = read_results(folder / "results.json")
+        kept = [record for record in records if record.status != FAILED]
+        earlier = Earlier(context, kept)
+    else:
+        forget_galleries(folder)
+    write_settings(folder, study.settings())
+    return earlier
+
+
+class Runner:
+    """Holds the records of one study while it runs."""
+
+    def __init__(
+        self, study: Study, inputs: Inputs, folder: Path, earlier: Earlier
+    ) -> None:
+        self.study = study
+        self.inputs = inputs
+        self.folder = folder
+        self.records = list(earlier.records)
+        self.context = earlier.context
+        measured = {record.run().key() for record in earlier.records}
+        self.missing = [run for run in study.runs() if run.key() not in measured]
+        self.notes: list[str] = []
+
+    def measure(self, session: Session, progress: Progress) -> list[Record]:
+        """Measure all missing runs and return all records in study order."""
+        self.context = session.context()
+        for dataset in self.study.datasets:
+            runs = [run for run in self.missing if run.scene.dataset == dataset.name]
+            if runs:
+                self._measure_dataset(session, dataset.name, runs, progress)
+        self._write()
+        progress.close()
+        return self.records
+
+    def _measure_dataset(
+        self, session: Session, name: str, runs: list[Run], progress: Progress
+    ) -> None:
+        progress.show(f"reading {name}")
+        try:
+            volume = session.open_volume(self.inputs.volumes[name])
+        except BenchError as fault:
+            self._add([_failed(run, None, str(fault)) for run in runs], progress)
+            return
+        for scene in dict.fromkeys(run.scene for run in runs):
+            self._measure_scene(session, volume, scene, runs, progress)
+
+    def _measure_scene(
+        self,
+        session: Session,
+        volume: Any,
+        scene: Scene,
+        runs: list[Run],
+        progress: Progress,
+    ) -> None:
+        function = self.inputs.functions[scene.transfer_function]
+        inside = [run for run in runs if run.scene == scene]
+        engine = [run for run in inside if run.path == ENGINE]
+        view = [run for run in inside if run.path != ENGINE]
+
+        def report(partial_runs: float) -> None:
+            progress.show(scene.title(), partial_runs)
+
+        for group, work in ((engine, self._engine), (view, self._view)):
+            if not group:
+                continue
+            try:
+                records = work(session, volume, function, group, report)
+            except Exception as fault:  # the study goes on with the next scene
+                reason = str(fault) or type(fault).__name__
+                records = [_failed(run, volume, reason) for run in group]
+            self._add(records, progress)
+
+    def _engine(
+        self, session: Session, volume: Any, function: Any, runs: Any, report: Any
+    ) -> list[Record]:
+        return session.run_engine(volume, function, runs, report)
+
+    def _view(
+        self, session: Session, volume: Any, function: Any, runs: Any, report: Any
+    ) -> list[Record]:
+        contestants, pictures = session.run_view(volume, function, runs, report)
+        records = [_measured(item, volume) for item in contestants]
+        self._keep_pictures(runs[0].scene, pictures, records)
+        return records
+
+    def _keep_pictures(
+        self, scene: Scene, pictures: Pictures, records: list[Record]
+    ) -> None:
+        if pictures.note:
+            self.notes.append(f"{scene.title()}: {pictures.note}")
+        if pictures.by_technique:
+            write_gallery(self.folder, scene, pictures, records)
+
+    def _add(self, records: list[Record], progress: Progress) -> None:
+        self.records.extend(records)
+        progress.finish(len(records))
+        self._write()
+
+    def _write(self) -> None:
+        replaced = {record.run().key(): record for record in self.records}
+        order = [run.key() for run in self.study.runs()]
+        inside = [replaced.pop(key) for key in order if key in replaced]
+        self.records = inside + list(replaced.values())
+        write_results(self.folder, self.context, self.records)
+
+
+def _failed(run: Run, volume: Any, reason: str) -> Record:
+    dims = getattr(volume, "dims", None)
+    scalar_type = getattr(volume, "scalar_type", None)
+    return record_of(run, dims, scalar_type, status=FAILED, reason=reason)
+
+
+def _measured(contestant: Contestant, volume: Any) -> Record:
+    values = contestant.values()
+    return record_of(contestant.run, volume.dims, volume.scalar_type, **values)

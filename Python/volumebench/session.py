@@ -1,0 +1,144 @@
+"""A ParaView session of a study; with session_engine and session_view all that imports paraview."""
+
+import os
+import platform
+from datetime import datetime, timezone
+from pathlib import Path
+from typing import Any
+
+from paraview import servermanager, simple
+from vtkmodules.vtkCommonCore import vtkVersion
+
+from .datasets import VolumeFile
+from .errors import BenchError
+from .results import Context, Record
+from .session_engine import run_engine
+from .session_view import ViewStage
+from .study import Run, Study
+from .transfer_functions import TransferFunction
+from .view_measure import Contestant, Pictures, measure_view
+from .volume_io import OpenVolume, open_volume
+
+PLUGIN_VARIABLE = "VOLUMEBENCH_PLUGIN"
+PLUGIN_NAME = "VolumeBench"
+_REPOSITORY = Path(__file__).resolve().parents[2]
+
+
+def find_plugin(given: str | None) -> Path:
+    """Return the plugin: the argument, the environment variable, or the newest build here."""
+    for text in (given, os.environ.get(PLUGIN_VARIABLE)):
+        if text:
+            if not Path(text).is_file():
+                raise BenchError(f"plugin {text}: no such file")
+            return Path(text)
+    pattern = f"build/*/lib/paraview-*/plugins/{PLUGIN_NAME}/{PLUGIN_NAME}.so"
+    builds = sorted(
+        _REPOSITORY.glob(pattern), key=lambda path: path.stat().st_mtime, reverse=True
+    )
+    if not builds:
+        raise BenchError(
+            f"the plugin {PLUGIN_NAME}.so was not found under build/; build it, or give "
+            f"--plugin FILE or the environment variable {PLUGIN_VARIABLE}"
+        )
+    return builds[0]
+
+
+class Session:
+    """Loads the plugin and measures runs for the runner."""
+
+    def __init__(self, study: Study, plugin: Path) -> None:
+        self._study = study
+        try:
+            simple.LoadPlugin(str(plugin), remote=False)
+        except RuntimeError as fault:
+            raise BenchError(f"plugin {plugin}: cannot be loaded: {fault}") from None
+        self._plugin_version = _loaded_version()
+        if self._plugin_version is None:
+            raise BenchError(f"plugin {plugin}: ParaView did not load it")
+        self._plugin = plugin
+
+    def context(self) -> Context:
+        """Return what the figures depend on beside the study."""
+        gl = _gl_information()
+        return Context(
+            date=datetime.now(timezone.utc).isoformat(timespec="seconds"),
+            host=platform.node() or None,
+            cpu=_cpu_name(),
+            cores=len(os.sched_getaffinity(0)),
+            gl_renderer=gl.GetRenderer() or None,
+            gl_version=gl.GetVersion() or None,
+            paraview=str(simple.GetParaViewSourceVersion()).split()[-1],
+            vtk=vtkVersion.GetVTKVersion(),
+            plugin=self._plugin_version,
+            build_type=_build_type(self._plugin),
+        )
+
+    def open_volume(self, file: VolumeFile) -> OpenVolume:
+        """Read a volume into memory."""
+        return open_volume(file)
+
+    def run_engine(
+        self,
+        volume: OpenVolume,
+        function: TransferFunction,
+        runs: list[Run],
+        report: Any,
+    ) -> list[Record]:
+        """Measure the runs of one scene through the benchmark filter."""
+        return run_engine(self._study, volume, function, runs, report)
+
+    def run_view(
+        self,
+        volume: OpenVolume,
+        function: TransferFunction,
+        runs: list[Run],
+        report: Any,
+    ) -> tuple[list[Contestant], Pictures]:
+        """Measure the runs of one scene in a render view."""
+        stage = ViewStage(
+            volume, function, runs[0].scene.image_size, self._study.ray_set_up
+        )
+        try:
+            return measure_view(stage, runs, self._study, report)
+        finally:
+            stage.close()
+
+
+def _gl_information() -> Any:
+    information = servermanager.vtkPVOpenGLInformation()
+    view = simple.CreateRenderView()
+    view.SMProxy.StillRender()
+    information.CopyFromObject(None)
+    simple.Delete(view)
+    return information
+
+
+def _loaded_version() -> str | None:
+    manager = servermanager.vtkSMProxyManager.GetProxyManager().GetPluginManager()
+    plugins = manager.GetLocalInformation()
+    for index in range(plugins.GetNumberOfPlugins()):
+        if plugins.GetPluginName(index) == PLUGIN_NAME and plugins.GetPluginLoaded(
+            index
+        ):
+            return plugins.GetPluginVersion(index)
+    return None
+
+
+def _build_type(plugin: Path) -> str | None:
+    """Read CMake's cache of the build tree that the plugin lies in, if it lies in one."""
+    for folder in plugin.resolve().parents:
+        cache = folder / "CMakeCache.txt"
+        if cache.is_file():
+            for line in cache.read_text(encoding="utf-8").splitlines():
+                if line.startswith("CMAKE_BUILD_TYPE:"):
+                    return line.partition("=")[2] or None
+    return None
+
+
+def _cpu_name() -> str | None:
+    try:
+        text = Path("/proc/cpuinfo").read_text(encoding="utf-8")
+    except OSError:
+        return platform.processor() or None
+    names = [line for line in text.splitlines() if line.startswith("model name")]
+    return names[0].partition(":")[2].strip() if names else None

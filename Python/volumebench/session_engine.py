@@ -1,0 +1,117 @@
+"""Path `engine`: measures the runs of one scene through the filter proxy VolumeBenchmark."""
+
+import math
+from collections.abc import Callable
+from typing import Any
+
+from paraview import servermanager, simple
+
+from .errors import BenchError
+from .results import FAILED, Record, record_of, values_of_row
+from .session_support import ErrorLog, producer_of
+from .study import Run, Study
+from .techniques import TECHNIQUES
+from .transfer_functions import TransferFunction
+from .volume_io import OpenVolume
+
+FILTER_PROXY = "VolumeBenchmark"
+
+
+def run_engine(
+    study: Study,
+    volume: OpenVolume,
+    function: TransferFunction,
+    runs: list[Run],
+    report: Callable[[float], None],
+) -> list[Record]:
+    """Execute the filter once for all runs and return one record per run, in their order."""
+    maker = getattr(servermanager.filters, FILTER_PROXY, None)
+    if maker is None:
+        raise BenchError(f"the plugin has no filter {FILTER_PROXY}")
+    producer = producer_of(volume)
+    bench = maker(Input=producer)
+    try:
+        _set_properties(bench, study, volume, function, runs)
+        inner = bench.GetClientSideObject()
+        inner.AddObserver(
+            "ProgressEvent", lambda *_: report(inner.GetProgress() * len(runs))
+        )
+        with ErrorLog() as log:
+            bench.UpdatePipeline()
+        rows = _rows(inner.GetOutputDataObject(0))
+        reason = log.text() or "the filter returned no row for this run"
+        return [_record(run, volume, rows, reason) for run in runs]
+    finally:
+        del bench
+        simple.Delete(producer)
+
+
+def _set_properties(
+    bench: Any,
+    study: Study,
+    volume: OpenVolume,
+    function: TransferFunction,
+    runs: list[Run],
+) -> None:
+    values = function.in_values(*volume.range)
+    bench.Array = ["POINTS", volume.array]
+    bench.Techniques = _different(run.technique for run in runs)
+    bench.Integrators = _different(run.integrator for run in runs) or ["Midpoint"]
+    bench.StepVoxels = _different(run.step_voxels for run in runs) or [1.0]
+    bench.ImageSize = list(runs[0].scene.image_size)
+    bench.TerminationThreshold = study.termination_threshold
+    bench.RaySetUp = study.ray_set_up
+    bench.OpacityPoints = [number for point in values.opacity for number in point]
+    bench.ColorPoints = [number for point in values.color for number in point]
+    bench.ScalarOpacityUnitDistance = values.unit_distance(volume.spacing)
+    bench.CameraPath = study.camera.path
+    bench.Frames = study.camera.frames
+    bench.Elevation = study.camera.elevation_degrees
+    bench.Zoom = study.camera.zoom
+    bench.WarmUpFrames = study.timing.warm_up_frames
+    bench.MinimumFrames = study.timing.minimum_frames
+    bench.RelativeNoise = study.timing.relative_noise
+    bench.TimeLimit = study.timing.time_limit_s
+    bench.ErrorViews = study.error.views
+    bench.ReferenceStepVoxels = study.error.reference_step_voxels
+
+
+def _different(values: Any) -> list[Any]:
+    return [value for value in dict.fromkeys(values) if value is not None]
+
+
+def _rows(table: Any) -> list[dict[str, Any]]:
+    names = [table.GetColumnName(index) for index in range(table.GetNumberOfColumns())]
+    return [
+        {name: _plain(table.GetValueByName(row, name)) for name in names}
+        for row in range(table.GetNumberOfRows())
+    ]
+
+
+def _plain(variant: Any) -> Any:
+    if variant.IsString():
+        return variant.ToString()
+    if variant.IsFloat() or variant.IsDouble():
+        return variant.ToDouble()
+    return variant.ToInt64() if variant.IsValid() else None
+
+
+def _record(
+    run: Run, volume: OpenVolume, rows: list[dict[str, Any]], reason: str
+) -> Record:
+    row = next((row for row in rows if _answers(row, run)), None)
+    if row is None:
+        return record_of(
+            run, volume.dims, volume.scalar_type, status=FAILED, reason=reason
+        )
+    return record_of(run, volume.dims, volume.scalar_type, **values_of_row(row))
+
+
+def _answers(row: dict[str, Any], run: Run) -> bool:
+    """Tell whether a table row is that run; a peer's row is told by its technique alone."""
+    if row["technique"] != run.technique:
+        return False
+    if TECHNIQUES[run.technique].peer:
+        return True
+    same_step = math.isclose(row["step_voxels"], run.step_voxels, rel_tol=1e-6)
+    return same_step and row["integrator"] == run.integrator

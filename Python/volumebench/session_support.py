@@ -1,0 +1,51 @@
+"""Small pieces that both paths of a session share: pipeline sources and caught errors."""
+
+from typing import Any
+
+from paraview import simple
+from vtkmodules.util.vtkConstants import VTK_STRING
+from vtkmodules.vtkCommonCore import vtkOutputWindow
+
+from .volume_io import OpenVolume
+
+
+def producer_of(volume: OpenVolume) -> Any:
+    """Return a pipeline source that gives the volume in memory, without a copy."""
+    producer = simple.TrivialProducer()
+    producer.GetClientSideObject().SetOutput(volume.image)
+    producer.UpdatePipeline()
+    return producer
+
+
+class ErrorLog:
+    """Collects VTK's error messages while it is open."""
+
+    def __init__(self) -> None:
+        self._messages: list[str] = []
+        self._window: Any = None
+        self._tag = 0
+
+    def __enter__(self) -> "ErrorLog":
+        def keep(_caller: Any, _event: str, message: str = "") -> None:
+            self._messages.append(message)
+
+        keep.CallDataType = VTK_STRING
+        self._window = vtkOutputWindow.GetInstance()
+        self._tag = self._window.AddObserver("ErrorEvent", keep)
+        return self
+
+    def __exit__(self, *_: Any) -> None:
+        self._window.RemoveObserver(self._tag)
+
+    def text(self) -> str | None:
+        """Return the first message on one line without VTK's preamble, or None."""
+        if not self._messages:
+            return None
+        text = " ".join(self._messages[0].split())
+        return text.rpartition("): ")[2][:400] or "ParaView reported an error"
+
+    def take(self) -> str | None:
+        """Return the first message and forget all."""
+        text = self.text()
+        self._messages.clear()
+        return text

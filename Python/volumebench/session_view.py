@@ -1,0 +1,165 @@
+"""Paths `view` and `interactive`: one ParaView render view with one display per technique."""
+
+import tempfile
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from paraview import servermanager, simple
+
+from .errors import BenchError
+from .orbit import Bounds, CameraPose
+from .session_support import ErrorLog, producer_of
+from .techniques import TECHNIQUES
+from .transfer_functions import TransferFunction
+from .view_measure import Sampling, Unsupported
+from .volume_io import OpenVolume
+
+CAPTURE_PROXY = "VolumeBenchmarkViewCapture"
+
+
+class ViewStage:
+    """A render view of exactly the picture size, black, with nothing but the volume in it."""
+
+    def __init__(
+        self,
+        volume: OpenVolume,
+        function: TransferFunction,
+        size: tuple[int, int],
+        ray_set_up: str,
+    ) -> None:
+        self.bounds: Bounds = volume.bounds
+        self._volume = volume
+        self._function = function.in_values(*volume.range)
+        self._size = size
+        self._ray_set_up = ray_set_up
+        self._view = _plain_view(size)
+        self._producers: dict[str, Any] = {}
+        self._displays: dict[str, Any] = {}
+        self._folder = tempfile.TemporaryDirectory(prefix="volumebench-")
+        self._capture = self._make_capture()
+        self._log = ErrorLog().__enter__()
+
+    def close(self) -> None:
+        """Delete the view and everything shown in it."""
+        self._log.__exit__()
+        self._capture = None
+        for display in self._displays.values():
+            simple.Delete(display)
+        for producer in self._producers.values():
+            simple.Delete(producer)
+        simple.Delete(self._view)
+        self._folder.cleanup()
+
+    def take_errors(self) -> str | None:
+        """Return what VTK complained about since the last call."""
+        return self._log.take()
+
+    def show(self, sampling: Sampling) -> None:
+        """Make the technique of a run the only visible one, with the sampling of the run."""
+        if sampling.technique not in self._displays:
+            self._displays[sampling.technique] = self._make_display(sampling.technique)
+        for technique, display in self._displays.items():
+            display.Visibility = int(technique == sampling.technique)
+        if not TECHNIQUES[sampling.technique].peer:
+            display = self._displays[sampling.technique]
+            display.Integrator = sampling.integrator
+            display.StepVoxels = sampling.step_voxels
+            display.TerminationThreshold = sampling.termination_threshold
+            display.RaySetUp = self._ray_set_up
+
+    def render(self, pose: CameraPose, interactive: bool) -> None:
+        """Set the camera and render one frame to its end."""
+        renderer = self._view.GetClientSideObject().GetRenderer()
+        camera = renderer.GetActiveCamera()
+        camera.SetPosition(pose.position)
+        camera.SetFocalPoint(pose.focal_point)
+        camera.SetViewUp(pose.view_up)
+        camera.SetViewAngle(pose.view_angle_degrees)
+        renderer.ResetCameraClippingRange()
+        if interactive:
+            self._view.SMProxy.InteractiveRender()
+        else:
+            self._view.SMProxy.StillRender()
+        self._view.GetRenderWindow().WaitForCompletion()
+
+    def can_capture(self) -> bool:
+        """Tell whether the plugin brings float pictures of a view."""
+        return self._capture is not None
+
+    def capture(self) -> np.ndarray:
+        """Return the picture of the view as float premultiplied RGBA, row 0 on top."""
+        path = Path(self._folder.name) / "capture.rgba32f"
+        path.unlink(missing_ok=True)
+        self._capture.FileName = str(path)
+        self._capture.UpdateVTKObjects()
+        self._capture.SMProxy.InvokeCommand("Capture")
+        width, height = self._view.GetRenderWindow().GetSize()
+        if not path.is_file():
+            raise BenchError(self._log.text() or f"{CAPTURE_PROXY} wrote no picture")
+        values = np.fromfile(path, "<f4")
+        if values.size != width * height * 4:
+            raise BenchError(
+                f"{CAPTURE_PROXY} wrote {values.size} values, not {width} x {height} x 4"
+            )
+        return values.reshape(height, width, 4)[::-1].copy()
+
+    def resize(self, reduction: int) -> None:
+        """Render from now on at the picture size divided by a whole number."""
+        self._view.ViewSize = [max(side // reduction, 1) for side in self._size]
+        self._view.SMProxy.StillRender()
+
+    def _make_capture(self) -> Any:
+        maker = getattr(servermanager.misc, CAPTURE_PROXY, None)
+        if maker is None:
+            return None
+        capture = maker()
+        capture.View = self._view
+        return capture
+
+    def _make_display(self, technique: str) -> Any:
+        """Show the volume once more, with the representation of the technique."""
+        label = TECHNIQUES[technique].representation
+        producer = producer_of(self._volume)
+        display = simple.Show(producer, self._view, "UniformGridRepresentation")
+        if label not in display.GetProperty("Representation").Available:
+            simple.Delete(display)
+            simple.Delete(producer)
+            raise Unsupported(f'no representation "{label}" in this build')
+        self._producers[technique] = producer
+        display.SetRepresentationType(label)
+        simple.ColorBy(display, ("POINTS", self._volume.array))
+        display.SetScalarBarVisibility(self._view, False)
+        display.Shade = 0
+        display.ScalarOpacityUnitDistance = self._function.unit_distance(
+            self._volume.spacing
+        )
+        self._set_functions(display)
+        return display
+
+    def _set_functions(self, display: Any) -> None:
+        """Give the shared colour map and opacity function of the array their points."""
+        colors = simple.GetColorTransferFunction(self._volume.array)
+        colors.AutomaticRescaleRangeMode = "Never"
+        colors.ColorSpace = "RGB"
+        colors.UseLogScale = 0
+        colors.RGBPoints = [value for point in self._function.color for value in point]
+        opacity = simple.GetOpacityTransferFunction(self._volume.array)
+        opacity.Points = [
+            value for x, alpha in self._function.opacity for value in (x, alpha, 0.5, 0)
+        ]
+        display.LookupTable = colors
+        display.ScalarOpacityFunction = opacity
+
+
+def _plain_view(size: tuple[int, int]) -> Any:
+    view = simple.CreateRenderView()
+    view.ViewSize = list(size)
+    view.UseColorPaletteForBackground = 0
+    view.BackgroundColorMode = "Single Color"
+    view.Background = [0, 0, 0]
+    view.OrientationAxesVisibility = 0
+    view.CenterAxesVisibility = 0
+    view.UseFXAA = 0
+    view.SMProxy.StillRender()
+    return view

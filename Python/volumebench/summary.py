@@ -1,0 +1,172 @@
+"""Condenses the rows of a study: which run of a technique is fair to set against the peer's."""
+
+from dataclasses import dataclass
+
+from .results import OK, Record
+from .study import Scene
+from .techniques import TECHNIQUES
+
+STANDARD_STEP_VOXELS = 1.0
+
+
+@dataclass(frozen=True)
+class Line:
+    """One technique in one scene on one path, beside the peer of that path."""
+
+    record: Record
+    peer: Record | None
+    matched: bool
+
+    def speed_up(self) -> float | None:
+        """Return how many times shorter the frame is than the peer's."""
+        if self.peer is None or self.record is self.peer:
+            return None
+        ours, theirs = self.record.frame_ms.median, self.peer.frame_ms.median
+        return theirs / ours if ours and theirs else None
+
+
+def is_peer(record: Record) -> bool:
+    """Tell whether the row belongs to a technique that is not ours."""
+    return TECHNIQUES[record.technique].peer
+
+
+def scenes_of(records: list[Record]) -> list[Scene]:
+    """Return the scenes in order of appearance."""
+    return list(dict.fromkeys(record.run().scene for record in records))
+
+
+def in_scene(records: list[Record], scene: Scene) -> list[Record]:
+    """Return the rows of one scene."""
+    return [record for record in records if record.run().scene == scene]
+
+
+def matching(candidates: list[Record], peer: Record | None) -> tuple[Record, bool]:
+    """Return the fastest candidate whose RMSE does not exceed the peer's, and True.
+
+    Without such a one: the most accurate; without errors, the one of the standard step; and
+    False, since its speed is then not comparable.
+    """
+    limit = peer.error.rmse if peer else None
+    measured = [item for item in candidates if item.error.rmse is not None]
+    if limit is not None:
+        fair = [item for item in measured if item.error.rmse <= limit]
+        if fair:
+            return min(fair, key=lambda item: item.frame_ms.median), True
+        if measured:
+            return min(measured, key=lambda item: item.error.rmse), False
+    return min(candidates, key=_step_distance), False
+
+
+def _step_distance(record: Record) -> tuple[float, bool]:
+    step = record.step_voxels or STANDARD_STEP_VOXELS
+    return (abs(step - STANDARD_STEP_VOXELS), record.integrator != "Midpoint")
+
+
+def lines(records: list[Record]) -> list[Line]:
+    """Return one line for each technique of each scene and path, the peers first."""
+    result: list[Line] = []
+    for scene in scenes_of(records):
+        rows = [row for row in in_scene(records, scene) if row.status == OK]
+        for path in dict.fromkeys(row.path for row in rows):
+            result.extend(_lines_of_path([row for row in rows if row.path == path]))
+    return result
+
+
+def _lines_of_path(rows: list[Record]) -> list[Line]:
+    peers = [row for row in rows if is_peer(row)]
+    peer = peers[0] if peers else None
+    result = [Line(row, peer, True) for row in peers]
+    for technique in dict.fromkeys(row.technique for row in rows if not is_peer(row)):
+        candidates = [row for row in rows if row.technique == technique]
+        record, matched = matching(candidates, peer)
+        result.append(Line(record, peer, matched))
+    return result
+
+
+def unfinished(records: list[Record]) -> list[Record]:
+    """Return the rows that hold no measurement."""
+    return [record for record in records if record.status != OK]
+
+
+def sampling_text(record: Record) -> str:
+    """Return integrator and step for readers."""
+    if record.step_voxels is None:
+        return "its own default"
+    return f"{record.integrator}, step {record.step_voxels:g}"
+
+
+def text_table(records: list[Record]) -> str:
+    """Return the lines as a table for the terminal."""
+    header = ("scene", "path", "technique", "sampling", "ms", "FPS", "RMSE", "speed-up")
+    rows = [header]
+    for line in lines(records):
+        record = line.record
+        speed_up = line.speed_up()
+        factor = f"{speed_up:.1f}x" if speed_up else ""
+        rows.append(
+            (
+                record.run().scene.title(),
+                record.path,
+                TECHNIQUES[record.technique].title,
+                sampling_text(record),
+                number(record.frame_ms.median, ".1f"),
+                number(record.fps, ".1f"),
+                number(record.error.rmse, ".2e"),
+                factor if line.matched or not factor else factor + " *",
+            )
+        )
+    widths = [max(len(row[column]) for row in rows) for column in range(len(header))]
+    text = [
+        "  ".join(
+            cell.rjust(width) if column > 3 else cell.ljust(width)
+            for column, (cell, width) in enumerate(zip(row, widths))
+        ).rstrip()
+        for row in rows
+    ]
+    if any(row[-1].endswith("*") for row in rows):
+        text.append("* not at equal error: no run was as accurate as the peer's")
+    text.extend(f"{item.status}: {item.text()}" for item in missing_groups(records))
+    return "\n".join(text)
+
+
+@dataclass(frozen=True)
+class MissingGroup:
+    """Rows of one technique that lack a measurement for the same reason."""
+
+    status: str
+    reason: str
+    rows: tuple[Record, ...]
+
+    def text(self) -> str:
+        """Return one line for readers; a single row is told in full."""
+        count = len(self.rows)
+        if count == 1:
+            return f"{describe(self.rows[0])}: {self.reason}"
+        title = TECHNIQUES[self.rows[0].technique].title
+        scenes = len(scenes_of(list(self.rows)))
+        paths = ", ".join(dict.fromkeys(row.path for row in self.rows))
+        return f"{title}, {count} rows in {scenes} scenes, path {paths}: {self.reason}"
+
+
+def missing_groups(records: list[Record]) -> list[MissingGroup]:
+    """Return the rows without a measurement, gathered by technique and reason."""
+    groups: dict[tuple[str, str, str], list[Record]] = {}
+    for row in unfinished(records):
+        key = (row.technique, row.status, row.reason or "no reason was given")
+        groups.setdefault(key, []).append(row)
+    return [
+        MissingGroup(status, reason, tuple(rows))
+        for (_, status, reason), rows in groups.items()
+    ]
+
+
+def describe(record: Record) -> str:
+    """Name a row for readers."""
+    title = TECHNIQUES[record.technique].title
+    sampling = f" ({sampling_text(record)})" if record.step_voxels is not None else ""
+    return f"{title}{sampling}, {record.run().scene.title()}, path {record.path}"
+
+
+def number(value: float | None, pattern: str) -> str:
+    """Format a number; an absent one is a dash."""
+    return "-" if value is None else format(value, pattern)

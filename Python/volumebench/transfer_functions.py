@@ -1,0 +1,91 @@
+"""Transfer functions from JSON files: opacity per unit distance and colour over scalar values."""
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from .errors import StudyError
+from .json_file import check_schema, read_json
+
+TRANSFER_FUNCTION_FOLDER = (
+    Path(__file__).resolve().parents[2] / "Data" / "TransferFunctions"
+)
+NORMALIZED = "normalized"
+
+
+@dataclass(frozen=True)
+class TransferFunction:
+    """Control points over the normalised scalar range or over scalar values."""
+
+    name: str
+    description: str
+    domain: str
+    opacity: tuple[tuple[float, ...], ...]
+    color: tuple[tuple[float, ...], ...]
+    unit_distance_voxels: float
+
+    def in_values(self, low: float, high: float) -> "TransferFunction":
+        """Return the same function over scalar values, for data of this range."""
+        if self.domain != NORMALIZED:
+            return self
+        width = high - low if high > low else 1.0
+
+        def scaled(points: tuple[tuple[float, ...], ...]) -> tuple:
+            return tuple((low + point[0] * width, *point[1:]) for point in points)
+
+        return TransferFunction(
+            self.name,
+            self.description,
+            "value",
+            scaled(self.opacity),
+            scaled(self.color),
+            self.unit_distance_voxels,
+        )
+
+    def unit_distance(self, spacing: tuple[float, float, float]) -> float:
+        """Return the unit distance in world units: voxels times the mean spacing."""
+        return self.unit_distance_voxels * sum(spacing) / 3
+
+
+def find_transfer_function(name: str, folders: list[Path]) -> Path:
+    """Return the file NAME.json in the first folder that has it."""
+    for folder in folders:
+        candidate = folder / f"{name}.json"
+        if candidate.is_file():
+            return candidate
+    looked = ", ".join(str(folder) for folder in folders)
+    raise StudyError(
+        f'transfer function "{name}": no file {name}.json; looked in {looked}'
+    )
+
+
+def load_transfer_function(path: Path) -> TransferFunction:
+    """Read and validate one file."""
+    document = read_json(path)
+    check_schema(document, "transfer_function_schema.json", path)
+    normalized = document["domain"] == NORMALIZED
+    for key in ("opacity", "color"):
+        _check_ascending(document[key], key, normalized, path)
+    return TransferFunction(
+        document["name"],
+        document.get("description", ""),
+        document["domain"],
+        tuple(tuple(float(value) for value in point) for point in document["opacity"]),
+        tuple(tuple(float(value) for value in point) for point in document["color"]),
+        float(document["unit_distance_voxels"]),
+    )
+
+
+def _check_ascending(
+    points: list[list[float]], key: str, normalized: bool, path: Path
+) -> None:
+    for index, point in enumerate(points):
+        x = point[0]
+        if normalized and not 0 <= x <= 1:
+            raise StudyError(
+                f'{path}: "{key}[{index}]": x {x} is outside [0, 1], the normalized domain'
+            )
+        if index and x <= points[index - 1][0]:
+            raise StudyError(
+                f'{path}: "{key}[{index}]": x {x} is not above the one before it, '
+                f"{points[index - 1][0]}"
+            )

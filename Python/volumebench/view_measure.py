@@ -1,0 +1,262 @@
+"""Measures the techniques of one render view in turns, so that machine noise hits all alike.
+
+Only the stage (session_view.ViewStage) knows ParaView; this module decides what is shown when.
+"""
+
+import time
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import Protocol
+
+import numpy as np
+
+from .error import ImageError, compare
+from .errors import BenchError
+from .measure import StopRule, shuffled
+from .orbit import Bounds, CameraPose, block_frames, orbit_pose
+from .results import FAILED, OK, UNSUPPORTED, times
+from .study import Run, Study
+from .summary import STANDARD_STEP_VOXELS
+from .techniques import INTERACTIVE, REFERENCE_TECHNIQUE
+
+BLOCK_FRAMES = 4
+# VTK's mapper needs some interactive frames until its automatic step has settled.
+SETTLE_FRAMES = {"view": 1, "interactive": 3}
+REFERENCE_TERMINATION = 1e-7
+CHECK_REDUCTION = 4
+# Error view i of n looks from azimuth 360 (i + 1/8) / n degrees.
+OFF_AXIS = 0.125
+
+
+class Unsupported(BenchError):
+    """This build or machine cannot run the technique; the message says why."""
+
+
+@dataclass(frozen=True)
+class Sampling:
+    """What is set on a representation before it is shown."""
+
+    technique: str
+    integrator: str | None
+    step_voxels: float | None
+    termination_threshold: float
+
+
+class Stage(Protocol):
+    """One render view on one volume; pictures are float premultiplied RGBA, row 0 on top."""
+
+    bounds: Bounds
+
+    def show(self, sampling: Sampling) -> None:
+        ...
+
+    def render(self, pose: CameraPose, interactive: bool) -> None:
+        ...
+
+    def capture(self) -> np.ndarray:
+        ...
+
+    def can_capture(self) -> bool:
+        ...
+
+    def resize(self, reduction: int) -> None:
+        ...
+
+    def take_errors(self) -> str | None:
+        ...
+
+
+@dataclass
+class Contestant:
+    """One run with the frames measured so far and, in the end, its outcome."""
+
+    run: Run
+    rule: StopRule
+    blocks: int = 0
+    status: str = OK
+    reason: str | None = None
+    error: ImageError = field(default_factory=ImageError)
+
+    def is_open(self) -> bool:
+        """Tell whether another block is wanted."""
+        return self.status == OK and not self.rule.is_finished()
+
+    def fail(self, fault: BenchError) -> None:
+        """End the run with a reason; the study goes on."""
+        self.status = UNSUPPORTED if isinstance(fault, Unsupported) else FAILED
+        self.reason = str(fault)
+
+    def values(self) -> dict:
+        """Return what a record holds beyond the run itself."""
+        measured = times(self.rule.frame_ms) if self.status == OK else {}
+        outcome = {"status": self.status, "reason": self.reason, "error": self.error}
+        return outcome | measured
+
+
+@dataclass
+class Pictures:
+    """The reference pictures and one picture per technique, taken at the first view."""
+
+    references: list[np.ndarray] = field(default_factory=list)
+    label: str | None = None
+    uncertainty: float | None = None
+    note: str | None = None
+    by_technique: dict[str, tuple[Run, np.ndarray]] = field(default_factory=dict)
+
+    def keep(self, run: Run, picture: np.ndarray) -> None:
+        """Keep the picture of the run nearest to the standard step, one per technique."""
+        held = self.by_technique.get(run.technique)
+        if held is None or _preference(run) < _preference(held[0]):
+            self.by_technique[run.technique] = (run, picture)
+
+
+def _preference(run: Run) -> tuple[bool, bool, float]:
+    step = run.step_voxels or STANDARD_STEP_VOXELS
+    return (
+        run.path == INTERACTIVE,
+        run.integrator == "Left",
+        abs(step - STANDARD_STEP_VOXELS),
+    )
+
+
+def measure_view(
+    stage: Stage, runs: list[Run], study: Study, report: Callable[[float], None]
+) -> tuple[list[Contestant], Pictures]:
+    """Measure all runs in interleaved blocks, then take the error of each."""
+    contestants = [Contestant(run, StopRule(study.timing)) for run in runs]
+    turn = 0
+    while still_open := [item for item in contestants if item.is_open()]:
+        for contestant in shuffled(still_open, seed=turn):
+            _guarded(stage, contestant, study, _run_block)
+            report(sum(_share(item, study) for item in contestants))
+        turn += 1
+    pictures = _reference_pictures(stage, study)
+    for done, contestant in enumerate(contestants):
+        if contestant.status == OK and stage.can_capture():
+            take = lambda *given: _take_error(*given, pictures)
+            _guarded(stage, contestant, study, take)
+        report(0.7 * len(runs) + 0.3 * (done + 1))
+    return contestants, pictures
+
+
+def _share(contestant: Contestant, study: Study) -> float:
+    if not contestant.is_open():
+        return 0.7
+    return 0.7 * min(len(contestant.rule.frame_ms) / study.timing.minimum_frames, 0.9)
+
+
+def _guarded(
+    stage: Stage, contestant: Contestant, study: Study, work: Callable
+) -> None:
+    """Run a piece of work; whatever goes wrong ends this contestant only."""
+    try:
+        stage.take_errors()
+        work(stage, contestant, study)
+        if fault := stage.take_errors():
+            raise BenchError(fault)
+    except BenchError as fault:
+        contestant.fail(fault)
+    except Exception as fault:  # a proxy may raise anything; the study goes on
+        contestant.fail(BenchError(f"{type(fault).__name__}: {fault}"))
+
+
+def sampling_of(run: Run, study: Study) -> Sampling:
+    """Return what is to be set for a run."""
+    return Sampling(
+        run.technique, run.integrator, run.step_voxels, study.termination_threshold
+    )
+
+
+def _run_block(stage: Stage, contestant: Contestant, study: Study) -> None:
+    """Show the contestant, let it settle, and time a block of frames."""
+    run, camera = contestant.run, study.camera
+    interactive = run.path == INTERACTIVE
+    frames = block_frames(contestant.blocks, BLOCK_FRAMES, camera.frames)
+    stage.show(sampling_of(run, study))
+    pose = orbit_pose(frames[0], camera.frames, stage.bounds, camera)
+    warm_up = study.timing.warm_up_frames if contestant.blocks == 0 else 0
+    _settle(stage, pose, run.path, warm_up, study)
+    contestant.blocks += 1
+    for frame in frames:
+        pose = orbit_pose(frame, camera.frames, stage.bounds, camera)
+        start_s = time.perf_counter()
+        stage.render(pose, interactive)
+        contestant.rule.add((time.perf_counter() - start_s) * 1000)
+        if contestant.rule.spent_s() >= study.timing.time_limit_s:
+            break
+
+
+def _settle(
+    stage: Stage, pose: CameraPose, path: str, warm_up: int, study: Study
+) -> None:
+    """Render frames that do not count; slow ones end it, since only fast ones adapt."""
+    start_s = time.perf_counter()
+    for _ in range(max(SETTLE_FRAMES[path], warm_up)):
+        stage.render(pose, path == INTERACTIVE)
+        if time.perf_counter() - start_s > study.timing.time_limit_s / 4:
+            break
+
+
+def _reference_pictures(stage: Stage, study: Study) -> Pictures:
+    """Render the references; what goes wrong leaves the errors absent, with a note."""
+    pictures = Pictures()
+    if not stage.can_capture():
+        pictures.note = (
+            "no float pictures: this plugin has no VolumeBenchmarkViewCapture"
+        )
+    elif study.error.views:
+        try:
+            _render_references(stage, study, pictures)
+            pictures.note = stage.take_errors()
+        except Exception as fault:  # a proxy may raise anything; times remain
+            pictures.note = f"no reference: {fault}"
+            pictures.references = []
+    return pictures
+
+
+def _render_references(stage: Stage, study: Study, pictures: Pictures) -> None:
+    views, step = study.error.views, study.error.reference_step_voxels
+    stage.resize(CHECK_REDUCTION)
+    try:
+        coarse = _reference(stage, study, 0, step)
+        fine = _reference(stage, study, 0, step / 2)
+    finally:
+        stage.resize(1)
+    pictures.uncertainty = compare([(coarse, fine)]).rmse
+    pictures.references = [
+        _reference(stage, study, view, step) for view in range(views)
+    ]
+    pictures.label = f"{REFERENCE_TECHNIQUE} Midpoint step {step:g}"
+
+
+def _reference(stage: Stage, study: Study, view: int, step: float) -> np.ndarray:
+    stage.show(Sampling(REFERENCE_TECHNIQUE, "Midpoint", step, REFERENCE_TERMINATION))
+    stage.render(_error_pose(stage, study, view), interactive=False)
+    return stage.capture()
+
+
+def _error_pose(stage: Stage, study: Study, view: int) -> CameraPose:
+    """Return an error view; off the axes, where axis-aligned views would flatter."""
+    views = max(study.error.views, 1)
+    return orbit_pose(view + OFF_AXIS, views, stage.bounds, study.camera)
+
+
+def _take_error(
+    stage: Stage, contestant: Contestant, study: Study, pictures: Pictures
+) -> None:
+    """Capture the contestant at the error views and compare it with the references."""
+    run = contestant.run
+    stage.show(sampling_of(run, study))
+    pairs = []
+    for view in range(max(len(pictures.references), 1)):
+        pose = _error_pose(stage, study, view)
+        _settle(stage, pose, run.path, 1, study)
+        picture = stage.capture()
+        if not (picture[..., 3] > 0).any():
+            raise BenchError("it drew nothing")
+        if view == 0:
+            pictures.keep(run, picture)
+        if pictures.references:
+            pairs.append((picture, pictures.references[view]))
+    if pairs:
+        contestant.error = compare(pairs, pictures.label, pictures.uncertainty)

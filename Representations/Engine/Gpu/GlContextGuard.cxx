@@ -1,0 +1,73 @@
+#include "Gpu/GlContextGuard.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtk_glew.h"
+
+namespace volumebench
+{
+struct GlContextGuard::Saved
+{
+  explicit Saved(vtkOpenGLState* state)
+    : Blend(state, GL_BLEND)
+    , DepthTest(state, GL_DEPTH_TEST)
+    , CullFace(state, GL_CULL_FACE)
+    , ScissorTest(state, GL_SCISSOR_TEST)
+    , BlendFunction(state)
+    , DepthMask(state)
+    , Scissor(state)
+    , ActiveTexture(state)
+    , Cache(state)
+  {
+    glGetIntegerv(GL_CULL_FACE_MODE, &this->CullMode);
+    glGetIntegerv(GL_VERTEX_ARRAY_BINDING, &this->VertexArray);
+    glGetIntegerv(GL_UNIFORM_BUFFER_BINDING, &this->UniformBuffer);
+    glGetIntegerv(GL_UNPACK_ALIGNMENT, &this->UnpackAlignment);
+    glGetIntegerv(GL_UNPACK_ROW_LENGTH, &this->UnpackRowLength);
+    this->DepthClamp = glIsEnabled(GL_DEPTH_CLAMP);
+    this->Cache->vtkglPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    this->Cache->vtkglPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
+  }
+
+  ~Saved()
+  {
+    this->Cache->vtkglCullFace(this->CullMode);
+    glBindVertexArray(this->VertexArray);
+    glBindBuffer(GL_UNIFORM_BUFFER, this->UniformBuffer);
+    this->Cache->vtkglPixelStorei(GL_UNPACK_ALIGNMENT, this->UnpackAlignment);
+    this->Cache->vtkglPixelStorei(GL_UNPACK_ROW_LENGTH, this->UnpackRowLength);
+    (this->DepthClamp ? glEnable : glDisable)(GL_DEPTH_CLAMP);
+  }
+
+  vtkOpenGLState::ScopedglEnableDisable Blend;
+  vtkOpenGLState::ScopedglEnableDisable DepthTest;
+  vtkOpenGLState::ScopedglEnableDisable CullFace;
+  vtkOpenGLState::ScopedglEnableDisable ScissorTest;
+  vtkOpenGLState::ScopedglBlendFuncSeparate BlendFunction;
+  vtkOpenGLState::ScopedglDepthMask DepthMask;
+  vtkOpenGLState::ScopedglScissor Scissor;
+  vtkOpenGLState::ScopedglActiveTexture ActiveTexture;
+  vtkOpenGLState* Cache;
+  GLint CullMode = GL_BACK;
+  GLint VertexArray = 0;
+  GLint UniformBuffer = 0;
+  GLint UnpackAlignment = 4;
+  GLint UnpackRowLength = 0;
+  GLboolean DepthClamp = GL_FALSE;
+};
+
+GlContextGuard::GlContextGuard(vtkOpenGLRenderWindow* window)
+  : State(std::make_unique<Saved>(window->GetState()))
+{
+}
+
+GlContextGuard::~GlContextGuard() = default;
+
+GlLimits ReadGlLimits()
+{
+  GlLimits limits;
+  glGetIntegerv(GL_MAX_3D_TEXTURE_SIZE, &limits.Texture3d);
+  glGetIntegerv(GL_MAX_TEXTURE_SIZE, &limits.Texture);
+  return limits;
+}
+}

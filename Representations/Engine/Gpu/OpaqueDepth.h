@@ -1,0 +1,33 @@
+// A copy of the depth buffer that the volume is drawn over, as a texture of the viewport's size.
+#ifndef volumebench_OpaqueDepth_h
+#define volumebench_OpaqueDepth_h
+
+#include "Gpu/GlTexture.h"
+
+#include <glm/vec4.hpp>
+
+class vtkOpenGLRenderWindow;
+
+namespace volumebench
+{
+class OpaqueDepth
+{
+public:
+  /// Copies the depth of `viewport` (x, y, width, height) from the bound draw framebuffer;
+  /// multisampled framebuffers are resolved. Without a depth buffer every texel is 1.
+  void Capture(vtkOpenGLRenderWindow* window, const glm::ivec4& viewport);
+
+  GlTexture& GetTexture() { return this->Texture; }
+  void Release();
+  void Forget();
+
+private:
+  void Resolve(const glm::ivec4& viewport, int drawFramebuffer);
+
+  GlTexture Texture;
+  unsigned int ResolveFramebuffer = 0;
+  unsigned int ResolveBuffer = 0;
+};
+}
+
+#endif

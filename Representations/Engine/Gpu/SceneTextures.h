@@ -1,0 +1,53 @@
+// The scene's data on the device: volume, transfer-function table, blanking grid. Each is sent
+// again only when its stamp changes.
+#ifndef volumebench_SceneTextures_h
+#define volumebench_SceneTextures_h
+
+#include "Gpu/GlTexture.h"
+#include "Scene/Scene.h"
+
+#include <cstddef>
+
+namespace volumebench
+{
+class SceneTextures
+{
+public:
+  /// Uploads what changed; the context must be current. Throws SceneError when the volume exceeds
+  /// GL_MAX_3D_TEXTURE_SIZE on an axis or the device has no memory for it.
+  void Update(const Scene& scene);
+
+  GlTexture& GetVolume() { return this->Volume; }
+  GlTexture& GetTable() { return this->Table; }
+  GlTexture& GetBlanking() { return this->Blanking; }
+
+  std::size_t GetBytesOnDevice() const
+  {
+    return this->VolumeBytes + this->TableBytes + this->BlankingBytes;
+  }
+  double GetUploadMs() const { return this->UploadMs; }
+  double GetTablesMs() const { return this->TablesMs; }
+
+  void Release();
+  void Forget();
+
+private:
+  void UpdateVolume(const volumebench::Volume& volume);
+  void UploadSlabs(const volumebench::Volume& volume);
+  void UpdateBlanking(const volumebench::Volume& volume);
+  void UpdateTable(const TransferFunction& function);
+
+  GlTexture Volume;
+  GlTexture Table;
+  GlTexture Blanking;
+  ChangeStamp VolumeStamp = 0;
+  ChangeStamp TableStamp = 0;
+  std::size_t VolumeBytes = 0;
+  std::size_t TableBytes = 0;
+  std::size_t BlankingBytes = 0;
+  double UploadMs = 0.0;
+  double TablesMs = 0.0;
+};
+}
+
+#endif

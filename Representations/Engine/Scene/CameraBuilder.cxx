@@ -1,0 +1,117 @@
+#include "Scene/CameraBuilder.h"
+
+#include "Scene/KernelScene.h"
+
+#include "vtkCamera.h"
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
+#include "vtkMatrix4x4.h"
+#include "vtkPropCollection.h"
+#include "vtkRenderer.h"
+#include "vtkVolumeProperty.h"
+
+#include <glm/geometric.hpp>
+
+namespace volumebench
+{
+namespace
+{
+glm::dmat4 FromVtk(const vtkMatrix4x4* matrix)
+{
+  glm::dmat4 result;
+  for (int row = 0; row < 4; ++row)
+  {
+    for (int column = 0; column < 4; ++column)
+    {
+      result[column][row] = matrix->GetElement(row, column);
+    }
+  }
+  return result;
+}
+
+Light BuildLight(vtkLight* light)
+{
+  Light built;
+  double position[3];
+  light->GetTransformedPosition(position);
+  const glm::dvec3 at(position[0], position[1], position[2]);
+  if (light->GetPositional())
+  {
+    built.Position = glm::dvec4(at, 1.0);
+  }
+  else
+  {
+    double focus[3];
+    light->GetTransformedFocalPoint(focus);
+    built.Position = glm::dvec4(at - glm::dvec3(focus[0], focus[1], focus[2]), 0.0);
+  }
+  const double* color = light->GetDiffuseColor();
+  built.Color = light->GetIntensity() * glm::dvec3(color[0], color[1], color[2]);
+  return built;
+}
+}
+
+Camera BuildCamera(vtkRenderer* renderer)
+{
+  vtkCamera* source = renderer->GetActiveCamera();
+  Camera camera;
+  camera.WorldToView = FromVtk(source->GetModelViewTransformMatrix());
+  camera.ViewToClip =
+    FromVtk(source->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1.0, 1.0));
+  camera.Parallel = source->GetParallelProjection() != 0;
+  camera.NearDepth = source->GetClippingRange()[0];
+  camera.FarDepth = source->GetClippingRange()[1];
+  glm::ivec4& viewport = camera.Viewport;
+  renderer->GetTiledSizeAndOrigin(&viewport.z, &viewport.w, &viewport.x, &viewport.y);
+  return camera;
+}
+
+Lighting BuildLighting(vtkRenderer* renderer, vtkVolumeProperty* property)
+{
+  Lighting lighting;
+  lighting.Enabled = property->GetShade(0) != 0;
+  lighting.Ambient = property->GetAmbient(0);
+  lighting.Diffuse = property->GetDiffuse(0);
+  lighting.Specular = property->GetSpecular(0);
+  lighting.SpecularPower = property->GetSpecularPower(0);
+  if (!lighting.Enabled)
+  {
+    return lighting;
+  }
+  vtkLightCollection* lights = renderer->GetLights();
+  vtkCollectionSimpleIterator cursor;
+  lights->InitTraversal(cursor);
+  while (vtkLight* light = lights->GetNextLight(cursor))
+  {
+    if (light->GetSwitch())
+    {
+      lighting.Lights.push_back(BuildLight(light));
+    }
+  }
+  if (static_cast<int>(lighting.Lights.size()) > LightLimit)
+  {
+    throw SceneError("the view has " + std::to_string(lighting.Lights.size()) +
+      " lights; shaded volumes take at most " + std::to_string(LightLimit));
+  }
+  return lighting;
+}
+
+bool HasOpaqueGeometry(vtkRenderer* renderer)
+{
+  if (renderer->GetPreserveDepthBuffer())
+  {
+    return true;
+  }
+  vtkPropCollection* props = renderer->GetViewProps();
+  vtkCollectionSimpleIterator cursor;
+  props->InitTraversal(cursor);
+  while (vtkProp* prop = props->GetNextProp(cursor))
+  {
+    if (prop->GetVisibility() && prop->HasOpaqueGeometry())
+    {
+      return true;
+    }
+  }
+  return false;
+}
+}

@@ -1,0 +1,58 @@
+// The table of features: what a kernel can do, the define that compiles it in, and the rule that
+// says whether a scene needs it. Whatever is not needed is not compiled, uploaded or run.
+#ifndef volumebench_Features_h
+#define volumebench_Features_h
+
+#include "VolumeBenchEngineModule.h"
+
+#include "Scene/Scene.h"
+
+#include <array>
+#include <bitset>
+#include <string>
+#include <vector>
+
+namespace volumebench
+{
+enum class Feature
+{
+  Midpoint,
+  Termination,
+  OpaqueDepth,
+  Crop,
+  Blanking,
+  Lighting,
+  RasterisedSetUp,
+  Count
+};
+
+using FeatureSet = std::bitset<static_cast<std::size_t>(Feature::Count)>;
+
+struct FeatureRow
+{
+  Feature Bit;
+  const char* Name;         // as printed in results and in the panel
+  const char* Define;       // WITH_..., set to 0 or 1 in front of every kernel
+  const char* WhyLeftOut;   // said when the scene does not need it
+  bool (*Needed)(const Scene&);
+};
+
+/// All rows, in the order of the enumeration.
+VOLUMEBENCHENGINE_EXPORT const std::vector<FeatureRow>& FeatureTable();
+
+VOLUMEBENCHENGINE_EXPORT FeatureSet FeaturesNeededBy(const Scene& scene);
+
+inline bool Has(const FeatureSet& features, Feature feature)
+{
+  return features.test(static_cast<std::size_t>(feature));
+}
+
+/// "#define WITH_X 0|1" for every row, so that a kernel may test each of them with #if.
+VOLUMEBENCHENGINE_EXPORT std::string FeatureDefines(const FeatureSet& features);
+
+/// Names of the features in the set (`present` true) or left out of it, in table order.
+VOLUMEBENCHENGINE_EXPORT std::vector<std::string> FeatureNames(
+  const FeatureSet& features, bool present);
+}
+
+#endif

@@ -1,0 +1,207 @@
+#include "Scene/PackScene.h"
+
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace volumebench
+{
+namespace
+{
+glm::dvec4 Row(const glm::dmat4& matrix, int row)
+{
+  return { matrix[0][row], matrix[1][row], matrix[2][row], matrix[3][row] };
+}
+
+glm::dvec4 Row(const glm::dmat3& matrix, int row)
+{
+  return { matrix[0][row], matrix[1][row], matrix[2][row], 0.0 };
+}
+
+// The view-space point at depth 1 (perspective) or on the plane of the eye (parallel) is affine in
+// normalized device x and y: Constant + x * PerX + y * PerY.
+struct ViewPlane
+{
+  glm::dvec2 Constant;
+  glm::dvec2 PerX;
+  glm::dvec2 PerY;
+};
+
+ViewPlane SolveViewPlane(const Camera& camera)
+{
+  const glm::dmat4& p = camera.ViewToClip;
+  const glm::dmat2 upper(p[0][0], p[0][1], p[1][0], p[1][1]);
+  const glm::dmat2 inverse = glm::inverse(upper);
+  // Column 2 is multiplied by view z = -depth, column 3 stays as it is.
+  const glm::dvec2 shift = camera.Parallel ? glm::dvec2(p[3][0], p[3][1])
+                                           : glm::dvec2(-p[2][0], -p[2][1]);
+  return { inverse * -shift, inverse[0], inverse[1] };
+}
+
+void PackRays(const Scene& scene, const glm::dmat4& voxelToView, SceneBlock64& block)
+{
+  const Camera& camera = scene.Camera;
+  const glm::dmat4 viewToVoxel = glm::inverse(voxelToView);
+  const glm::dmat3 turn(viewToVoxel);
+  const ViewPlane plane = SolveViewPlane(camera);
+  const double middleDepth = -voxelToView[3][2];
+  // The reference plane passes through the middle of the box, so distances along a ray stay small
+  // however far the eye is; with the eye inside the box it is the near plane.
+  const double referenceDepth = std::max(middleDepth, camera.NearDepth);
+
+  const glm::dvec3 eye(viewToVoxel[3]);
+  const glm::dvec3 forward = turn * glm::dvec3(0.0, 0.0, -1.0);
+  const glm::dvec3 constant = turn * glm::dvec3(plane.Constant, 0.0);
+  const glm::dvec3 perX = turn * glm::dvec3(plane.PerX, 0.0);
+  const glm::dvec3 perY = turn * glm::dvec3(plane.PerY, 0.0);
+
+  const double spread = camera.Parallel ? 1.0 : referenceDepth;
+  block.rayOrigin = { eye + referenceDepth * forward + spread * constant, 0.0 };
+  block.rayOriginX = { spread * perX, 0.0 };
+  block.rayOriginY = { spread * perY, 0.0 };
+  const double bend = camera.Parallel ? 0.0 : 1.0;
+  const glm::dvec3 direction = forward + bend * constant;
+  const double unit = 1.0 / glm::length(direction);
+  block.rayDirection = { unit * direction, 0.0 };
+  block.rayDirectionX = { unit * bend * perX, 0.0 };
+  block.rayDirectionY = { unit * bend * perY, 0.0 };
+  block.viewDepth = { -voxelToView[0][2], -voxelToView[1][2], -voxelToView[2][2], referenceDepth };
+}
+
+void PackProjection(const Camera& camera, SceneBlock64& block)
+{
+  const glm::dmat4& p = camera.ViewToClip;
+  block.depthRange = { camera.NearDepth, camera.FarDepth, camera.Parallel ? 1.0 : 0.0, 0.0 };
+  // Perspective: deviceZ = -p22 + p32 / depth; parallel: deviceZ = -p22 * depth + p32.
+  block.depthProjection = { p[2][2], p[3][2], 0.0, 0.0 };
+  block.viewport = { camera.Viewport.x, camera.Viewport.y, 2.0 / camera.Viewport.z,
+    2.0 / camera.Viewport.w };
+}
+
+void PackCrop(const Scene& scene, SceneBlock64& block)
+{
+  glm::dvec4* axes[3] = { &block.cropX, &block.cropY, &block.cropZ };
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double low = scene.Clip.CropLow[axis];
+    const double size = scene.Clip.CropHigh[axis] - low;
+    glm::dvec4 row = Row(scene.Volume.VoxelToData, axis);
+    row.w -= low;
+    // An empty crop box leaves nothing: its coordinate is 2 everywhere, outside [0, 1].
+    *axes[axis] = size > 0.0 ? row / size : glm::dvec4(0.0, 0.0, 0.0, 2.0);
+  }
+}
+
+void PackLighting(const Scene& scene, SceneBlock64& block)
+{
+  const Lighting& lighting = scene.Lighting;
+  block.material = { lighting.Ambient, lighting.Diffuse, lighting.Specular,
+    lighting.SpecularPower };
+  const int count = std::min(static_cast<int>(lighting.Lights.size()), LightLimit);
+  block.lightCount.x = lighting.Enabled ? count : 0;
+  const glm::dvec3 middle(scene.Volume.VoxelToWorld[3]);
+  for (int i = 0; i < count; ++i)
+  {
+    const Light& light = lighting.Lights[i];
+    const glm::dvec3 relative = glm::dvec3(light.Position) - light.Position.w * middle;
+    block.lightPosition[i] = { relative, light.Position.w };
+    block.lightColor[i] = { light.Color, 0.0 };
+  }
+}
+
+// Gradients come per voxel edge, of any size; only their direction counts. Rows are scaled so that
+// spacings of 1e-6 or 1e6 do not push them out of the range in which a zero gradient is told.
+void PackWorld(const Volume& volume, SceneBlock64& block)
+{
+  const glm::dmat3 linear(volume.VoxelToWorld);
+  block.worldX = Row(linear, 0);
+  block.worldY = Row(linear, 1);
+  block.worldZ = Row(linear, 2);
+  const glm::dmat3 normal = glm::transpose(glm::inverse(linear));
+  const double largest = std::max(
+    { glm::length(normal[0]), glm::length(normal[1]), glm::length(normal[2]) });
+  block.normalX = Row(normal / largest, 0);
+  block.normalY = Row(normal / largest, 1);
+  block.normalZ = Row(normal / largest, 2);
+}
+
+void PackTable(const Scene& scene, SceneBlock64& block)
+{
+  const TransferFunction& function = scene.TransferFunction;
+  const double size = static_cast<double>(function.Table.size());
+  const double low = scene.Volume.Mapping.Normalize(function.Low);
+  const double high = scene.Volume.Mapping.Normalize(function.High);
+  // Entries sit on texel centres: Low is 0.5 / size, High is 1 - 0.5 / size.
+  const double perValue = high > low ? (size - 1.0) / size / (high - low) : 0.0;
+  block.classification = { perValue, 0.5 / size - low * perValue, 0.0, 0.0 };
+}
+}
+
+SceneBlock64 PackScene(const Scene& scene)
+{
+  SceneBlock64 block = {};
+  const Volume& volume = scene.Volume;
+  const glm::dmat4 voxelToView = scene.Camera.WorldToView * volume.VoxelToWorld;
+  PackRays(scene, voxelToView, block);
+  PackProjection(scene.Camera, block);
+  block.boxHalf = { volume.BoxHalf, 0.0 };
+  const glm::dvec3 texels(volume.Texels);
+  block.textureScale = { 1.0 / texels, 0.0 };
+  block.textureOffset = { 0.5, 0.5, 0.5, 0.0 };
+  block.textureSize = { texels, 0.0 };
+  PackWorld(volume, block);
+  const glm::dmat4 voxelToClip = scene.Camera.ViewToClip * voxelToView;
+  block.clipX = Row(voxelToClip, 0);
+  block.clipY = Row(voxelToClip, 1);
+  block.clipZ = Row(voxelToClip, 2);
+  block.clipW = Row(voxelToClip, 3);
+  PackCrop(scene, block);
+  PackTable(scene, block);
+  block.sampling = { scene.Sampling.StepVoxels, 1.0 - scene.Sampling.TerminationThreshold, 0.0,
+    0.0 };
+  PackLighting(scene, block);
+  return block;
+}
+
+SceneBlock RoundToFloat(const SceneBlock64& block)
+{
+  SceneBlock rounded = {};
+  glm::dvec4 source[SceneBlockVectors];
+  glm::vec4 target[SceneBlockVectors];
+  std::memcpy(source, &block, sizeof(block));
+  std::transform(source, source + SceneBlockVectors, target,
+    [](const glm::dvec4& v) { return glm::vec4(v); });
+  std::memcpy(&rounded, target, sizeof(rounded));
+  return rounded;
+}
+
+glm::ivec4 ScreenRectangle(const Scene& scene)
+{
+  const glm::dmat4 voxelToView = scene.Camera.WorldToView * scene.Volume.VoxelToWorld;
+  const glm::ivec4& viewport = scene.Camera.Viewport;
+  glm::dvec2 low(1.0);
+  glm::dvec2 high(-1.0);
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const glm::dvec3 side(corner & 1, (corner >> 1) & 1, corner >> 2);
+    const glm::dvec4 view =
+      voxelToView * glm::dvec4((2.0 * side - 1.0) * scene.Volume.BoxHalf, 1.0);
+    if (-view.z <= scene.Camera.NearDepth && !scene.Camera.Parallel)
+    {
+      return viewport;
+    }
+    const glm::dvec4 clip = scene.Camera.ViewToClip * view;
+    low = glm::min(low, glm::dvec2(clip) / clip.w);
+    high = glm::max(high, glm::dvec2(clip) / clip.w);
+  }
+  const glm::dvec2 size(viewport.z, viewport.w);
+  const glm::dvec2 begin = glm::floor((glm::clamp(low, -1.0, 1.0) * 0.5 + 0.5) * size);
+  const glm::dvec2 end = glm::ceil((glm::clamp(high, -1.0, 1.0) * 0.5 + 0.5) * size);
+  return { viewport.x + static_cast<int>(begin.x), viewport.y + static_cast<int>(begin.y),
+    std::max(0, static_cast<int>(end.x - begin.x)), std::max(0, static_cast<int>(end.y - begin.y)) };
+}
+}

@@ -1,0 +1,150 @@
+// One scene as every technique receives it: plain structs with defaults, filled by SceneBuilder.
+#ifndef volumebench_Scene_h
+#define volumebench_Scene_h
+
+#include "vtkSmartPointer.h"
+
+#include "vtkDataArray.h"
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace volumebench
+{
+/// A scene that cannot be drawn honestly. The message is one line that names the cause.
+class SceneError : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
+
+/// One value per struct answers "did it change?": equal stamps mean equal contents.
+using ChangeStamp = std::size_t;
+
+/// How values lie in the volume texture: stored value v in [0, 1] means 2 * (v * HalfSpan +
+/// HalfBase). Halves keep a span near the largest double finite.
+struct ValueMapping
+{
+  double HalfBase = 0.0;
+  double HalfSpan = 0.5;
+
+  double Normalize(double value) const { return (0.5 * value - this->HalfBase) / this->HalfSpan; }
+};
+
+enum class TexelFormat
+{
+  Unsigned16, // R16: 8- and 16-bit data; filtered with more than 8-bit weights
+  Float32     // R32F: everything else
+};
+
+/// The field. Voxel space has its origin in the middle of the box and one unit per voxel edge.
+struct Volume
+{
+  vtkSmartPointer<vtkDataArray> Scalars;
+  std::string Name;
+  int Component = 0; // -1 for the magnitude
+  glm::ivec3 Texels{ 0 };
+  glm::dvec3 BoxHalf{ 0.0 };     // voxels
+  glm::dmat4 VoxelToWorld{ 1.0 };
+  glm::dmat4 VoxelToData{ 1.0 }; // before the actor's own matrix; the crop box is given there
+  ValueMapping Mapping;
+  TexelFormat Format = TexelFormat::Float32;
+  double FiniteRange[2] = { 0.0, 1.0 };
+  bool HasNonFinite = false; // NaN or infinite voxels: their cells are left blank
+  bool Nearest = false;
+  ChangeStamp Stamp = 0;
+};
+
+/// Entries (red, green, blue, extinction per world unit), equally spaced from Low to High.
+struct TransferFunction
+{
+  std::vector<glm::vec4> Table;
+  double Low = 0.0;
+  double High = 1.0;
+  ChangeStamp Stamp = 0;
+};
+
+struct Camera
+{
+  glm::dmat4 WorldToView{ 1.0 };
+  glm::dmat4 ViewToClip{ 1.0 };
+  bool Parallel = false;
+  double NearDepth = 0.0;
+  double FarDepth = 1.0;
+  glm::ivec4 Viewport{ 0 }; // x, y, width, height in pixels
+};
+
+enum class Integrator
+{
+  Left,    // sample at the beginning of a step, first order (as VTK's mapper)
+  Midpoint // sample in its middle, second order
+};
+
+enum class RaySetUp
+{
+  Box,       // every pixel of the box's screen rectangle tests its ray against the box
+  Rasterised // the box's back faces are drawn and only the pixels they cover cast a ray
+};
+
+struct Sampling
+{
+  Integrator Integration = Integrator::Midpoint;
+  RaySetUp SetUp = RaySetUp::Rasterised;
+  double StepVoxels = 0.5;
+  double TerminationThreshold = 0.0; // remaining transmittance at which a ray stops
+};
+
+struct Light
+{
+  glm::dvec4 Position{ 0.0 }; // world; w 0: direction to the light
+  glm::dvec3 Color{ 1.0 };    // times intensity
+};
+
+struct Lighting
+{
+  bool Enabled = false;
+  double Ambient = 0.1;
+  double Diffuse = 0.7;
+  double Specular = 0.2;
+  double SpecularPower = 10.0;
+  std::vector<Light> Lights;
+};
+
+struct Clip
+{
+  bool Crop = false;
+  glm::dvec3 CropLow{ 0.0 }; // data coordinates
+  glm::dvec3 CropHigh{ 1.0 };
+  bool OpaqueGeometry = false; // something in the depth buffer may hide part of the volume
+};
+
+struct Scene
+{
+  volumebench::Volume Volume;
+  volumebench::TransferFunction TransferFunction;
+  volumebench::Camera Camera;
+  volumebench::Sampling Sampling;
+  volumebench::Lighting Lighting;
+  volumebench::Clip Clip;
+};
+
+/// The smallest step that is drawn; a shorter one would only hang the machine.
+constexpr double SmallestStepVoxels = 1.0 / 1024.0;
+
+/// Folds one more value into a stamp.
+template <typename T>
+void ExtendStamp(ChangeStamp& stamp, const T& value)
+{
+  stamp ^= std::hash<T>{}(value) + 0x9e3779b97f4a7c15ULL + (stamp << 6) + (stamp >> 2);
+}
+}
+
+#endif

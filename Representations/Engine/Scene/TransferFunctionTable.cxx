@@ -1,0 +1,161 @@
+#include "Scene/TransferFunctionTable.h"
+
+#include "vtkColorTransferFunction.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkVolumeProperty.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace volumebench
+{
+namespace
+{
+constexpr int SmallestSize = 1024;
+constexpr double EntriesPerKnotGap = 8.0;
+
+struct Functions
+{
+  vtkPiecewiseFunction* Opacity = nullptr;
+  vtkColorTransferFunction* Color = nullptr; // null when gray
+  vtkPiecewiseFunction* Gray = nullptr;
+
+  bool Clamping() const
+  {
+    return this->Opacity->GetClamping() &&
+      (this->Color ? this->Color->GetClamping() != 0 : this->Gray->GetClamping() != 0);
+  }
+
+  std::set<double> Knots() const
+  {
+    std::set<double> knots;
+    double node[6];
+    for (vtkPiecewiseFunction* function : { this->Opacity, this->Gray })
+    {
+      for (int i = 0; function && i < function->GetSize(); ++i)
+      {
+        function->GetNodeValue(i, node);
+        knots.insert(node[0]);
+      }
+    }
+    for (int i = 0; this->Color && i < this->Color->GetSize(); ++i)
+    {
+      this->Color->GetNodeValue(i, node);
+      knots.insert(node[0]);
+    }
+    return knots;
+  }
+};
+
+Functions FunctionsOf(vtkVolumeProperty* property)
+{
+  Functions functions;
+  functions.Opacity = property->GetScalarOpacity(0);
+  if (functions.Opacity->GetSize() < 1)
+  {
+    throw SceneError("the opacity function has no points");
+  }
+  if (property->GetColorChannels(0) == 1)
+  {
+    functions.Gray = property->GetGrayTransferFunction(0);
+  }
+  else
+  {
+    functions.Color = property->GetRGBTransferFunction(0);
+  }
+  if ((functions.Color ? functions.Color->GetSize() : functions.Gray->GetSize()) < 1)
+  {
+    throw SceneError("the colour function has no points");
+  }
+  return functions;
+}
+
+// The domain of the table: where the functions change, but no further than the data reach.
+void ChooseDomain(const std::set<double>& knots, bool clamping, const double dataRange[2],
+  TransferFunction& result)
+{
+  result.Low = dataRange[0];
+  result.High = dataRange[1];
+  const double low = std::max(dataRange[0], *knots.begin());
+  const double high = std::min(dataRange[1], *knots.rbegin());
+  if (clamping && low < high)
+  {
+    result.Low = low;
+    result.High = high;
+  }
+}
+
+int ChooseSize(const std::set<double>& knots, const TransferFunction& domain, int largestSize)
+{
+  double closest = domain.High - domain.Low;
+  double previous = domain.Low;
+  for (const double knot : knots)
+  {
+    if (knot > domain.Low && knot < domain.High)
+    {
+      closest = knot > previous ? std::min(closest, knot - previous) : closest;
+      previous = knot;
+    }
+  }
+  const double wanted = EntriesPerKnotGap * (domain.High - domain.Low) / closest;
+  const double upper = std::max(largestSize, 2);
+  return static_cast<int>(std::min(std::max<double>(SmallestSize, wanted), upper));
+}
+
+void Fill(const Functions& functions, double unitDistance, int size, TransferFunction& result)
+{
+  std::vector<double> opacity(size);
+  std::vector<double> color(3 * static_cast<std::size_t>(size));
+  functions.Opacity->GetTable(result.Low, result.High, size, opacity.data());
+  if (functions.Color)
+  {
+    functions.Color->GetTable(result.Low, result.High, size, color.data());
+  }
+  else
+  {
+    std::vector<double> gray(size);
+    functions.Gray->GetTable(result.Low, result.High, size, gray.data());
+    for (int i = 0; i < size; ++i)
+    {
+      std::fill_n(color.begin() + 3 * i, 3, gray[i]);
+    }
+  }
+  result.Table.resize(size);
+  for (int i = 0; i < size; ++i)
+  {
+    const double extinction = ExtinctionOfOpacity(opacity[i], unitDistance);
+    result.Table[i] = glm::vec4(color[3 * i], color[3 * i + 1], color[3 * i + 2], extinction);
+  }
+}
+}
+
+double ExtinctionOfOpacity(double opacity, double unitDistance)
+{
+  const double largest = 1.0 - std::ldexp(1.0, -24);
+  return -std::log1p(-std::clamp(opacity, 0.0, largest)) / unitDistance;
+}
+
+TransferFunction BuildTransferFunction(
+  vtkVolumeProperty* property, const double dataRange[2], int largestSize)
+{
+  const double unitDistance = property->GetScalarOpacityUnitDistance(0);
+  if (!(unitDistance > 0.0) || !std::isfinite(unitDistance))
+  {
+    throw SceneError(
+      "the scalar opacity unit distance is " + std::to_string(unitDistance) + ", not positive");
+  }
+  const Functions functions = FunctionsOf(property);
+  const std::set<double> knots = functions.Knots();
+  TransferFunction result;
+  ChooseDomain(knots, functions.Clamping(), dataRange, result);
+  Fill(functions, unitDistance, ChooseSize(knots, result, largestSize), result);
+
+  ExtendStamp(result.Stamp, functions.Opacity->GetMTime());
+  ExtendStamp(result.Stamp, functions.Color ? functions.Color->GetMTime() : functions.Gray->GetMTime());
+  ExtendStamp(result.Stamp, unitDistance);
+  ExtendStamp(result.Stamp, dataRange[0]);
+  ExtendStamp(result.Stamp, dataRange[1]);
+  return result;
+}
+}

@@ -1,0 +1,24 @@
+// Colour and opacity functions of a volume property to the table that kernels look up.
+#ifndef volumebench_TransferFunctionTable_h
+#define volumebench_TransferFunctionTable_h
+
+#include "VolumeBenchEngineModule.h"
+
+#include "Scene/Scene.h"
+
+class vtkVolumeProperty;
+
+namespace volumebench
+{
+/// Extinction per world unit of an opacity per `unitDistance`: -ln(1 - a) / d, a at most 1 - 2^-24.
+VOLUMEBENCHENGINE_EXPORT double ExtinctionOfOpacity(double opacity, double unitDistance);
+
+/// Samples the functions of component 0 over the part of `dataRange` in which they change; values
+/// outside that part take the value at its ends. The table is as fine as the closest two knots
+/// ask for, between 1024 and `largestSize` entries.
+/// Throws SceneError when a function is empty or the unit distance is not positive.
+VOLUMEBENCHENGINE_EXPORT TransferFunction BuildTransferFunction(
+  vtkVolumeProperty* property, const double dataRange[2], int largestSize);
+}
+
+#endif

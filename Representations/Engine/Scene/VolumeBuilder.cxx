@@ -1,0 +1,213 @@
+#include "Scene/VolumeBuilder.h"
+
+#include "vtkArrayDispatch.h"
+#include "vtkDataArray.h"
+#include "vtkDataArrayRange.h"
+#include "vtkImageData.h"
+#include "vtkMatrix4x4.h"
+#include "vtkSMPThreadLocal.h"
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace volumebench
+{
+namespace
+{
+glm::dmat4 FromVtk(const vtkMatrix4x4* matrix)
+{
+  glm::dmat4 result;
+  for (int row = 0; row < 4; ++row)
+  {
+    for (int column = 0; column < 4; ++column)
+    {
+      result[column][row] = matrix->GetElement(row, column);
+    }
+  }
+  return result;
+}
+
+void Merge(ScalarStatistics& into, const ScalarStatistics& other)
+{
+  if (other.AnyFinite)
+  {
+    into.Low = into.AnyFinite ? std::min(into.Low, other.Low) : other.Low;
+    into.High = into.AnyFinite ? std::max(into.High, other.High) : other.High;
+    into.AnyFinite = true;
+  }
+  into.AllFinite = into.AllFinite && other.AllFinite;
+}
+
+void Include(ScalarStatistics& statistics, double value)
+{
+  if (!std::isfinite(value))
+  {
+    statistics.AllFinite = false;
+    return;
+  }
+  statistics.Low = statistics.AnyFinite ? std::min(statistics.Low, value) : value;
+  statistics.High = statistics.AnyFinite ? std::max(statistics.High, value) : value;
+  statistics.AnyFinite = true;
+}
+
+template <typename Tuple>
+double ValueOf(const Tuple& tuple, int component)
+{
+  if (component >= 0)
+  {
+    return static_cast<double>(tuple[component]);
+  }
+  double squares = 0.0;
+  for (const auto value : tuple)
+  {
+    squares += static_cast<double>(value) * static_cast<double>(value);
+  }
+  return std::sqrt(squares);
+}
+
+struct StatisticsWorker
+{
+  template <typename Array>
+  void operator()(Array* array, int component, ScalarStatistics& result) const
+  {
+    vtkSMPThreadLocal<ScalarStatistics> partial;
+    vtkSMPTools::For(0, array->GetNumberOfTuples(), [&](vtkIdType begin, vtkIdType end) {
+      ScalarStatistics& local = partial.Local();
+      for (const auto tuple : vtk::DataArrayTupleRange(array, begin, end))
+      {
+        Include(local, ValueOf(tuple, component));
+      }
+    });
+    for (const ScalarStatistics& local : partial)
+    {
+      Merge(result, local);
+    }
+  }
+};
+
+// 8- and 16-bit values keep all their bits in a 16-bit texture; the others are stored relative to
+// the range that they have.
+void ChooseMapping(Volume& volume)
+{
+  const int type = volume.Scalars->GetDataType();
+  const bool small = volume.Scalars->GetDataTypeSize() <= 2 && type != VTK_BIT;
+  if (small && volume.Component >= 0)
+  {
+    const double low = volume.Scalars->GetDataTypeMin();
+    volume.Format = TexelFormat::Unsigned16;
+    volume.Mapping = { 0.5 * low, 0.5 * volume.Scalars->GetDataTypeMax() - 0.5 * low };
+    return;
+  }
+  const double half = 0.5 * volume.FiniteRange[1] - 0.5 * volume.FiniteRange[0];
+  volume.Format = TexelFormat::Float32;
+  volume.Mapping = { 0.5 * volume.FiniteRange[0], half > 0.0 ? half : 0.5 };
+}
+
+std::string Dimensions(const int dims[3])
+{
+  return std::to_string(dims[0]) + " x " + std::to_string(dims[1]) + " x " +
+    std::to_string(dims[2]);
+}
+
+void CheckGrid(vtkImageData* image, Centering center)
+{
+  int dims[3];
+  image->GetDimensions(dims);
+  if (image->GetNumberOfPoints() < 1)
+  {
+    throw SceneError("the image is empty (" + Dimensions(dims) + " points)");
+  }
+  if (*std::min_element(dims, dims + 3) < 2)
+  {
+    throw SceneError("the image is one point thick (" + Dimensions(dims) + " points)" +
+      (center == Centering::Point ? ": it has no volume to draw" : ": it has no cells to draw"));
+  }
+  for (const double spacing : { image->GetSpacing()[0], image->GetSpacing()[1],
+         image->GetSpacing()[2] })
+  {
+    if (!(std::abs(spacing) > 0.0) || !std::isfinite(spacing))
+    {
+      throw SceneError("the image has a spacing of " + std::to_string(spacing));
+    }
+  }
+}
+
+// Point data: the box reaches from the first to the last texel. Cell data: half a texel further.
+void PlaceGrid(Volume& volume, vtkImageData* image, Centering center, vtkMatrix4x4* actor)
+{
+  int dims[3];
+  image->GetDimensions(dims);
+  const int shrink = center == Centering::Cell ? 1 : 0;
+  volume.Texels = { dims[0] - shrink, dims[1] - shrink, dims[2] - shrink };
+  const glm::dvec3 edges(dims[0] - 1, dims[1] - 1, dims[2] - 1);
+  volume.BoxHalf = 0.5 * edges;
+  const int* extent = image->GetExtent();
+  const glm::dvec3 middle = glm::dvec3(extent[0], extent[2], extent[4]) + volume.BoxHalf;
+  glm::dmat4 toMiddle(1.0);
+  toMiddle[3] = glm::dvec4(middle, 1.0);
+  volume.VoxelToData = FromVtk(image->GetIndexToPhysicalMatrix()) * toMiddle;
+  volume.VoxelToWorld = (actor ? FromVtk(actor) : glm::dmat4(1.0)) * volume.VoxelToData;
+}
+}
+
+ScalarStatistics ComputeStatistics(vtkDataArray* scalars, int component)
+{
+  ScalarStatistics result;
+  StatisticsWorker worker;
+  if (!vtkArrayDispatch::Dispatch::Execute(scalars, worker, component, result))
+  {
+    worker(scalars, component, result);
+  }
+  return result;
+}
+
+Volume VolumeBuilder::Build(vtkImageData* image, const ArrayRequest& request, int component,
+  bool nearest, vtkMatrix4x4* actor)
+{
+  if (image->GetNumberOfPoints() < 1)
+  {
+    CheckGrid(image, Centering::Point);
+  }
+  const ArraySelection selection = SelectArray(image, request);
+  CheckGrid(image, selection.Center);
+  const int components = selection.Scalars->GetNumberOfComponents();
+  if (component >= components)
+  {
+    throw SceneError("the array '" + selection.Name + "' has " + std::to_string(components) +
+      " components; component " + std::to_string(component) + " was asked for");
+  }
+  Volume volume;
+  volume.Scalars = selection.Scalars;
+  volume.Name = selection.Name;
+  volume.Component = components == 1 ? 0 : component;
+  volume.Nearest = nearest;
+  PlaceGrid(volume, image, selection.Center, actor);
+
+  ChangeStamp stamp = 1;
+  ExtendStamp(stamp, static_cast<const void*>(selection.Scalars));
+  ExtendStamp(stamp, selection.Scalars->GetMTime());
+  ExtendStamp(stamp, volume.Component);
+  if (stamp != this->StatisticsStamp)
+  {
+    this->Statistics = ComputeStatistics(selection.Scalars, volume.Component);
+    this->StatisticsStamp = stamp;
+  }
+  if (!this->Statistics.AnyFinite)
+  {
+    throw SceneError("the array '" + selection.Name + "' has no finite value");
+  }
+  volume.FiniteRange[0] = this->Statistics.Low;
+  volume.FiniteRange[1] = this->Statistics.High;
+  volume.HasNonFinite = !this->Statistics.AllFinite;
+  ChooseMapping(volume);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    ExtendStamp(stamp, volume.Texels[axis]);
+  }
+  ExtendStamp(stamp, nearest);
+  volume.Stamp = stamp;
+  return volume;
+}
+}

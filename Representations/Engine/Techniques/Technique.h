@@ -1,0 +1,56 @@
+// What every technique can do. A technique holds GPU objects but no settings: those are the Scene.
+#ifndef volumebench_Technique_h
+#define volumebench_Technique_h
+
+#include "Scene/Features.h"
+#include "Scene/Scene.h"
+
+#include <cstddef>
+#include <limits>
+#include <string>
+
+class vtkOpenGLRenderWindow;
+
+namespace volumebench
+{
+/// What was spent; NaN where it was not measured. Set-up times are those of the last time that the
+/// step had to be done, the rest is of the last frame.
+struct Timings
+{
+  double UploadMs = std::numeric_limits<double>::quiet_NaN();
+  double TablesMs = std::numeric_limits<double>::quiet_NaN();
+  double GridMs = std::numeric_limits<double>::quiet_NaN();
+  double CompileMs = std::numeric_limits<double>::quiet_NaN();
+  double KernelMs = std::numeric_limits<double>::quiet_NaN();   // device time of the march
+  double TransferMs = std::numeric_limits<double>::quiet_NaN(); // picture copied between APIs
+  std::size_t BytesOnDevice = 0;
+};
+
+class Technique
+{
+public:
+  virtual ~Technique() = default;
+
+  /// Empty when this machine can run the technique; else the sentence that says why not.
+  virtual std::string WhyUnsupported(vtkOpenGLRenderWindow*) const { return {}; }
+
+  /// Uploads and compiles what the scene changed. Throws SceneError or KernelError.
+  virtual void Prepare(const Scene& scene, vtkOpenGLRenderWindow* window) = 0;
+
+  /// Blends the premultiplied picture over the bound framebuffer; the GL state is left as found.
+  virtual void Render(const Scene& scene, vtkOpenGLRenderWindow* window) = 0;
+
+  /// Waits for the last frame's device time.
+  virtual Timings GetTimings() = 0;
+
+  /// Features compiled into the kernel that drew last.
+  virtual FeatureSet GetFeatures() const = 0;
+
+  /// Deletes all GPU objects; their context is current.
+  virtual void Release() = 0;
+  /// Drops all GPU objects of a context that no longer exists.
+  virtual void Forget() = 0;
+};
+}
+
+#endif

@@ -1,0 +1,31 @@
+// The techniques of this build, generated from Plugin/Techniques.cmake.
+#ifndef volumebench_TechniqueTable_h
+#define volumebench_TechniqueTable_h
+
+#include "VolumeBenchEngineModule.h"
+
+#include "Techniques/Technique.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace volumebench
+{
+struct TechniqueRow
+{
+  const char* Id;    // in studies and results
+  const char* Label; // in ParaView
+  std::unique_ptr<Technique> (*Create)();
+};
+
+VOLUMEBENCHENGINE_EXPORT const std::vector<TechniqueRow>& TechniqueTable();
+
+/// Null when there is no such technique.
+VOLUMEBENCHENGINE_EXPORT const TechniqueRow* FindTechnique(const std::string& id);
+
+/// All ids, separated by ", ", for messages.
+VOLUMEBENCHENGINE_EXPORT std::string TechniqueIds();
+}
+
+#endif

@@ -1,0 +1,67 @@
+// C++17 on GLM, for float and double. Included inside a namespace that has defined the type `real`;
+// see Reference/KernelInstance.h. The field and the table are functions of the host program.
+using vec2 = glm::vec<2, real>;
+using vec3 = glm::vec<3, real>;
+using vec4 = glm::vec<4, real>;
+using glm::ceil;
+using glm::dot;
+using glm::exp;
+using glm::length;
+using glm::max;
+using glm::min;
+using glm::normalize;
+using glm::pow;
+using std::fabs;
+#undef FUNC
+#undef STRUCT
+#undef SCENE_PARAM
+#undef SCENE
+#undef REAL
+#undef TO_REAL
+#undef TO_INT
+#undef VEC3
+#undef VEC4
+#undef SCENE_BLOCK_BEGIN
+#undef SCENE_BLOCK_END
+#define FUNC inline
+#define STRUCT(name) struct name
+#define SCENE_PARAM const BackendScene &scene,
+#define SCENE scene,
+#define REAL(x) real(x)
+#define TO_REAL(x) real(x)
+#define TO_INT(x) int(x)
+#define VEC3(x, y, z) vec3(x, y, z)
+#define VEC4(x, y, z, w) vec4(x, y, z, w)
+#define SCENE_BLOCK_BEGIN                                                                          \
+  struct SceneBlock                                                                                \
+  {
+#define SCENE_BLOCK_END                                                                            \
+  }                                                                                                \
+  ;
+
+#include "Shared/SceneBlock.h"
+#include "Shared/Vectors.h"
+
+struct BackendScene : SceneBlock
+{
+  std::function<real(vec3)> field; // by texture coordinate
+  std::function<vec4(real)> table; // by table coordinate
+  std::function<bool(vec3)> blank; // by texture coordinate
+};
+
+FUNC real fieldAt(SCENE_PARAM vec3 position)
+{
+  return scene.field(position);
+}
+
+FUNC vec4 tableAt(SCENE_PARAM real coordinate)
+{
+  return scene.table(coordinate);
+}
+
+#if WITH_BLANKING
+FUNC bool isBlank(SCENE_PARAM vec3 position)
+{
+  return scene.blank(position);
+}
+#endif

@@ -1,0 +1,110 @@
+// The ray of a pixel and the exact interval of it that lies in the box, between the near and far
+// planes, in the crop box and in front of opaque geometry. Lengths along a ray are in voxels.
+STRUCT(Ray)
+{
+  vec3 origin;           // voxel space, on the reference plane
+  vec3 direction;        // voxel space, length 1
+  vec3 textureOrigin;    // the same two in texture space
+  vec3 textureDirection;
+  real worldPerVoxel;    // world length of one unit along the ray
+};
+
+STRUCT(Interval)
+{
+  real begin;
+  real end;
+};
+
+FUNC Ray rayThroughPixel(SCENE_PARAM vec2 pixel)
+{
+  real x = (pixel.x - scene.viewport.x) * scene.viewport.z - REAL(1.0);
+  real y = (pixel.y - scene.viewport.y) * scene.viewport.w - REAL(1.0);
+  Ray ray;
+  ray.origin = xyz(scene.rayOrigin) + x * xyz(scene.rayOriginX) + y * xyz(scene.rayOriginY);
+  ray.direction = normalize(
+    xyz(scene.rayDirection) + x * xyz(scene.rayDirectionX) + y * xyz(scene.rayDirectionY));
+  ray.textureOrigin = ray.origin * xyz(scene.textureScale) + xyz(scene.textureOffset);
+  ray.textureDirection = ray.direction * xyz(scene.textureScale);
+  ray.worldPerVoxel =
+    length(rowsTimes(scene.worldX, scene.worldY, scene.worldZ, ray.direction));
+  return ray;
+}
+
+// Part of the interval where low <= origin + t * direction <= high. A ray that runs along the slab
+// is inside for every t or for none; the bound on the direction moves it by 1e-12 voxels per voxel.
+FUNC Interval clipToSlab(Interval interval, real origin, real direction, real low, real high)
+{
+  if (fabs(direction) < REAL(1.0e-12))
+  {
+    if (origin < low || origin > high)
+    {
+      interval.end = interval.begin;
+    }
+    return interval;
+  }
+  real first = (low - origin) / direction;
+  real second = (high - origin) / direction;
+  interval.begin = max(interval.begin, min(first, second));
+  interval.end = min(interval.end, max(first, second));
+  return interval;
+}
+
+FUNC Interval clipToBox(SCENE_PARAM Ray ray, Interval interval)
+{
+  vec3 high = xyz(scene.boxHalf);
+  interval = clipToSlab(interval, ray.origin.x, ray.direction.x, -high.x, high.x);
+  interval = clipToSlab(interval, ray.origin.y, ray.direction.y, -high.y, high.y);
+  return clipToSlab(interval, ray.origin.z, ray.direction.z, -high.z, high.z);
+}
+
+FUNC Interval clipToCrop(SCENE_PARAM Ray ray, Interval interval)
+{
+  vec3 origin = rowsTimes(scene.cropX, scene.cropY, scene.cropZ, ray.origin) +
+    VEC3(scene.cropX.w, scene.cropY.w, scene.cropZ.w);
+  vec3 direction = rowsTimes(scene.cropX, scene.cropY, scene.cropZ, ray.direction);
+  interval = clipToSlab(interval, origin.x, direction.x, REAL(0.0), REAL(1.0));
+  interval = clipToSlab(interval, origin.y, direction.y, REAL(0.0), REAL(1.0));
+  return clipToSlab(interval, origin.z, direction.z, REAL(0.0), REAL(1.0));
+}
+
+// View depth grows with t on every ray that a camera casts, so only one bound can bite at each end.
+FUNC Interval clipToDepths(SCENE_PARAM Ray ray, Interval interval, real nearDepth, real farDepth)
+{
+  real depthAtOrigin = scene.viewDepth.w;
+  real depthPerVoxel = dot(xyz(scene.viewDepth), ray.direction);
+  interval.begin = max(interval.begin, (nearDepth - depthAtOrigin) / depthPerVoxel);
+  interval.end = min(interval.end, (farDepth - depthAtOrigin) / depthPerVoxel);
+  return interval;
+}
+
+// View depth of a depth-buffer value in [0, 1].
+FUNC real viewDepthOfWindowDepth(SCENE_PARAM real windowDepth)
+{
+  real deviceZ = REAL(2.0) * windowDepth - REAL(1.0);
+  if (scene.depthRange.z > REAL(0.5))
+  {
+    return (scene.depthProjection.y - deviceZ) / scene.depthProjection.x;
+  }
+  return scene.depthProjection.y / (deviceZ + scene.depthProjection.x);
+}
+
+// windowDepth is the depth of opaque geometry at the pixel; 1 where there is none.
+FUNC Interval visibleInterval(SCENE_PARAM Ray ray, real windowDepth)
+{
+  Interval interval;
+  interval.begin = REAL(-1.0e30);
+  interval.end = REAL(1.0e30);
+  interval = clipToBox(SCENE ray, interval);
+  real farDepth = scene.depthRange.y;
+#if WITH_OPAQUE_DEPTH
+  if (windowDepth < REAL(1.0))
+  {
+    farDepth = min(farDepth, viewDepthOfWindowDepth(SCENE windowDepth));
+  }
+#endif
+  interval = clipToDepths(SCENE ray, interval, scene.depthRange.x, farDepth);
+#if WITH_CROP
+  interval = clipToCrop(SCENE ray, interval);
+#endif
+  return interval;
+}

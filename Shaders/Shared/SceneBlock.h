@@ -1,0 +1,43 @@
+// The numbers of a scene, as every back end receives them. Only vec4 members, so that std140,
+// CUDA, OpenCL C and C++ agree on the layout. PackScene fills it in double precision.
+//
+// Spaces: "voxel" is the index space of the texels with its origin in the middle of the box that
+// holds the field, so one unit is one voxel edge on every axis; "texture" is [0, 1]^3; "world" is
+// the space of lights and lengths, relative to the middle of the box.
+#define LIGHT_LIMIT 8
+
+SCENE_BLOCK_BEGIN
+  vec4 rayOrigin;       // xyz: voxel point at the middle of the viewport on the reference plane
+  vec4 rayOriginX;      // xyz: change of that point per unit of normalized device x
+  vec4 rayOriginY;      // xyz: the same per unit of y
+  vec4 rayDirection;    // xyz: ray direction at the middle of the viewport, not normalized
+  vec4 rayDirectionX;   // xyz: its change per unit of normalized device x (zero when parallel)
+  vec4 rayDirectionY;   // xyz: the same per unit of y
+  vec4 viewDepth;       // xyz: gradient of the view depth in voxel space; w: depth of the origin
+  vec4 depthRange;      // x, y: near and far view depth; z: 1 for a parallel camera
+  vec4 depthProjection; // x, y: the two numbers that turn window depth into view depth
+  vec4 viewport;        // x, y: lower left pixel; z, w: 2 / width, 2 / height
+  vec4 boxHalf;         // xyz: half the size of the box in voxels
+  vec4 textureScale;    // xyz: texture coordinate per voxel
+  vec4 textureOffset;   // xyz: texture coordinate of the middle of the box
+  vec4 textureSize;     // xyz: texels per axis
+  vec4 worldX;          // xyz: first row of the voxel-to-world matrix
+  vec4 worldY;          // xyz: second row
+  vec4 worldZ;          // xyz: third row
+  vec4 normalX;         // xyz: first row of its inverse transpose, which turns gradients
+  vec4 normalY;         // xyz: second row
+  vec4 normalZ;         // xyz: third row
+  vec4 clipX;           // first row of the voxel-to-clip matrix
+  vec4 clipY;           // second row
+  vec4 clipZ;           // third row
+  vec4 clipW;           // fourth row
+  vec4 cropX;           // dot(xyz, voxel) + w is in [0, 1] inside the crop box, first axis
+  vec4 cropY;           // second axis
+  vec4 cropZ;           // third axis
+  vec4 classification;  // x, y: scale and offset from a stored value to a table coordinate
+  vec4 sampling;        // x: step in voxels; y: opacity at which a ray stops
+  vec4 material;        // ambient, diffuse, specular, specular power
+  vec4 lightCount;      // x: number of lights in use
+  vec4 lightPosition[LIGHT_LIMIT]; // w 0: xyz is the direction to the light; w 1: its position
+  vec4 lightColor[LIGHT_LIMIT];    // rgb times intensity
+SCENE_BLOCK_END

@@ -1,0 +1,115 @@
+"""A stage and a session without ParaView: a disc whose error follows step and integrator."""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from volumebench.errors import BenchError
+from volumebench.results import Context, record_of
+from volumebench.statistics import spread
+from volumebench.view_measure import Sampling, Unsupported, measure_view
+
+
+class FakeStage:
+    """Draws a disc; remembers what was shown and rendered."""
+
+    def __init__(self, captures: bool = True, broken: str | None = None) -> None:
+        self.bounds = (0, 1, 0, 1, 0, 1)
+        self.captures = captures
+        self.broken = broken
+        self.sampling: Sampling | None = None
+        self.shown: list[Sampling] = []
+        self.rendered: list[tuple[Sampling, tuple, bool]] = []
+        self.side = 16
+        self.complaint: str | None = None
+
+    def show(self, sampling: Sampling) -> None:
+        if sampling.technique == "opencl":
+            raise Unsupported('no representation "Volume OpenCL" in this build')
+        self.sampling = sampling
+        self.shown.append(sampling)
+
+    def render(self, pose, interactive: bool) -> None:
+        if self.sampling.technique == self.broken:
+            raise RuntimeError("the driver is gone")
+        if self.sampling.technique == "compute":
+            self.complaint = "compute shader did not compile"
+        self.rendered.append((self.sampling, pose.position, interactive))
+
+    def capture(self) -> np.ndarray:
+        axis = np.linspace(-1, 1, self.side)
+        disc = (axis[:, None] ** 2 + axis[None, :] ** 2 < 0.8).astype(np.float32)
+        if self.sampling.technique == "slices":
+            disc[:] = 0
+        error = disc * self._error()
+        return np.dstack([disc * 0.5 + error, disc * 0.25, disc * 0.1, disc])
+
+    def _error(self) -> float:
+        step = self.sampling.step_voxels
+        if step is None:
+            return 0.01
+        return (
+            0.02 * step**2 if self.sampling.integrator == "Midpoint" else 0.02 * step
+        )
+
+    def can_capture(self) -> bool:
+        return self.captures
+
+    def resize(self, reduction: int) -> None:
+        self.side = 16 // reduction
+
+    def take_errors(self) -> str | None:
+        complaint, self.complaint = self.complaint, None
+        return complaint
+
+
+@dataclass
+class FakeVolume:
+    dims: tuple = (8, 8, 16)
+    scalar_type: str = "uint16"
+
+
+class FakeSession:
+    """Answers as session.Session does, with made-up times."""
+
+    def __init__(self, study, stage=None, engine_fault=None, volume_fault=None):
+        self.study = study
+        self.stage = stage or FakeStage()
+        self.engine_fault = engine_fault
+        self.volume_fault = volume_fault
+        self.measured: list = []
+
+    def context(self) -> Context:
+        return Context(date="2020-01-01", cores=2, gl_renderer="none")
+
+    def open_volume(self, file):
+        if self.volume_fault:
+            raise BenchError(self.volume_fault)
+        return FakeVolume()
+
+    def run_engine(self, volume, function, runs, report):
+        self.measured += runs
+        if self.engine_fault:
+            raise RuntimeError(self.engine_fault)
+        return [self._record(volume, run) for run in runs]
+
+    def run_view(self, volume, function, runs, report):
+        self.measured += runs
+        contestants, pictures = measure_view(self.stage, runs, self.study, report)
+        return [self._with_time(item) for item in contestants], pictures
+
+    def _with_time(self, contestant):
+        contestant.rule.frame_ms = [frame_ms(contestant.run) + i for i in range(4)]
+        return contestant
+
+    def _record(self, volume, run):
+        times = spread([frame_ms(run) + i for i in range(4)])
+        record = record_of(
+            run, volume.dims, volume.scalar_type, frames=4, frame_ms=times
+        )
+        return replace(record, fps=1000 / times.median)
+
+
+def frame_ms(run) -> float:
+    if run.step_voxels is None:
+        return 240.0 if run.path != "interactive" else 60.0
+    return 15 + 35 / run.step_voxels

@@ -1,0 +1,134 @@
+"""Contestants of a view take turns fairly, and one that fails does not stop the others."""
+
+from dataclasses import replace
+
+import pytest
+from fakes import FakeStage
+from volumebench.results import FAILED, OK, UNSUPPORTED
+from volumebench.study import ErrorSettings, Timing
+from volumebench.view_measure import BLOCK_FRAMES, SETTLE_FRAMES, measure_view
+
+
+@pytest.fixture
+def calm(study):
+    """Stops by the number of frames, since fake frames take no time."""
+    timing = Timing(
+        warm_up_frames=1, minimum_frames=8, relative_noise=1, time_limit_s=60
+    )
+    return replace(study, timing=timing)
+
+
+def measured(stage, study, **changes):
+    study = replace(study, **changes)
+    runs = [run for run in study.runs() if run.path != "engine"]
+    contestants, pictures = measure_view(stage, runs, study, lambda share: None)
+    return {contestant.run: contestant for contestant in contestants}, pictures
+
+
+def test_every_contestant_gets_its_frames(calm):
+    found, _ = measured(FakeStage(), calm)
+    assert len(found) == 14
+    for contestant in found.values():
+        assert contestant.status == OK
+        assert len(contestant.rule.frame_ms) % BLOCK_FRAMES == 0
+        assert len(contestant.rule.frame_ms) >= 8
+
+
+def test_blocks_are_interleaved(calm):
+    """Nobody gets the second block before all had the first, and the order changes."""
+    stage = FakeStage(captures=False)
+    found, _ = measured(stage, calm, paths=("view",))
+    shown = [sampling for sampling in stage.shown]
+    count = len(found)
+    first, second = shown[:count], shown[count : 2 * count]
+    assert len(set(first)) == len(set(second)) == count
+    assert first != second
+
+
+def test_still_and_interactive_frames_are_not_mixed_up(calm):
+    stage = FakeStage(captures=False)
+    found, _ = measured(stage, calm, paths=("interactive",))
+    assert all(interactive for _, _, interactive in stage.rendered)
+    settle = SETTLE_FRAMES["interactive"]
+    frames = sum(len(item.rule.frame_ms) for item in found.values())
+    blocks = frames // BLOCK_FRAMES
+    assert len(stage.rendered) == frames + blocks * settle
+
+
+def test_errors_follow_the_picture(calm):
+    found, pictures = measured(FakeStage(), calm, error=ErrorSettings(views=2))
+    by_sampling = {
+        (run.technique, run.integrator, run.step_voxels): contestant.error
+        for run, contestant in found.items()
+        if run.path == "view"
+    }
+    coarse = by_sampling["single-pass", "Midpoint", 2]
+    fine = by_sampling["single-pass", "Midpoint", 0.5]
+    # One channel of four differs, by 0.02 step^2 less that of the reference.
+    truth = 0.02 * 0.03125**2
+    assert coarse.rmse == pytest.approx((0.08 - truth) / 2, rel=1e-4)
+    assert fine.rmse == pytest.approx((0.005 - truth) / 2, rel=1e-4)
+    assert fine.reference_uncertainty == pytest.approx(truth * 0.75 / 2, rel=1e-2)
+    assert fine.reference == "single-pass Midpoint step 0.03125"
+    assert len(pictures.references) == 2
+
+
+def test_reference_is_rendered_without_termination(calm):
+    stage = FakeStage()
+    measured(stage, calm, paths=("view",))
+    thresholds = {
+        sampling.step_voxels: sampling.termination_threshold
+        for sampling in stage.shown
+        if sampling.step_voxels is not None
+    }
+    assert thresholds[0.03125] <= 1e-7
+    assert thresholds[0.015625] <= 1e-7
+    assert thresholds[1] == calm.termination_threshold
+    assert stage.side == 16, "the picture size was restored after the half-step check"
+
+
+def test_no_error_views_means_no_error_but_pictures(calm):
+    found, pictures = measured(FakeStage(), calm, error=ErrorSettings(views=0))
+    assert all(item.error.rmse is None for item in found.values())
+    assert set(pictures.by_technique) == {"single-pass", "paraview-volume"}
+    run, _ = pictures.by_technique["single-pass"]
+    assert (run.path, run.integrator, run.step_voxels) == ("view", "Midpoint", 1)
+
+
+def test_without_the_capture_proxy_times_remain(calm):
+    found, pictures = measured(FakeStage(captures=False), calm)
+    assert all(item.status == OK for item in found.values())
+    assert "VolumeBenchmarkViewCapture" in pictures.note
+    assert not pictures.by_technique
+
+
+@pytest.mark.parametrize(
+    "technique, status, reason",
+    [
+        ("opencl", UNSUPPORTED, "Volume OpenCL"),
+        ("compute", FAILED, "did not compile"),
+        ("slices", FAILED, "drew nothing"),
+        ("multi-pass", FAILED, "RuntimeError: the driver is gone"),
+    ],
+)
+def test_a_failing_technique_is_named_and_the_rest_goes_on(
+    calm, technique, status, reason
+):
+    stage = FakeStage(broken="multi-pass")
+    found, _ = measured(stage, calm, techniques=(technique, "paraview-volume"))
+    for run, contestant in found.items():
+        values = contestant.values()
+        if run.technique == technique:
+            assert values["status"] == status
+            assert reason in values["reason"]
+            assert "frame_ms" not in values
+        else:
+            assert values["status"] == OK
+
+
+def test_a_broken_reference_leaves_errors_absent(calm):
+    stage = FakeStage(broken="single-pass")
+    found, pictures = measured(stage, calm, techniques=("paraview-volume",))
+    assert "no reference" in pictures.note
+    assert all(item.status == OK for item in found.values())
+    assert all(item.error.rmse is None for item in found.values())
