@@ -34,8 +34,8 @@ function(volumebench_generate_technique_table template source_variable)
   set("${source_variable}" "${source}" PARENT_SCOPE)
 endfunction()
 
-# Writes the server-manager XML of the representations from the rows.
-function(volumebench_generate_representation_xml template xml_variable)
+# Writes a server-manager XML file of the plugin from its template and the rows.
+function(volumebench_generate_xml template xml_variable)
   set(REPRESENTATION_TYPES "")
   set(REPRESENTATION_DECORATORS "")
   foreach(id IN LISTS volumebench_technique_ids)
@@ -47,7 +47,9 @@ function(volumebench_generate_representation_xml template xml_variable)
       "                  <PropertyWidgetDecorator type=\"GenericDecorator\" mode=\"visibility\"\n"
       "                    property=\"Representation\" value=\"${label}\" />\n")
   endforeach()
-  set(xml "${CMAKE_CURRENT_BINARY_DIR}/Representations.xml")
+  list(JOIN volumebench_technique_ids ", " TECHNIQUE_IDS)
+  get_filename_component(name "${template}" NAME_WLE)
+  set(xml "${CMAKE_CURRENT_BINARY_DIR}/${name}")
   configure_file("${template}" "${xml}" @ONLY)
   set("${xml_variable}" "${xml}" PARENT_SCOPE)
 endfunction()

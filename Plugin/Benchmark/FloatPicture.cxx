@@ -72,7 +72,15 @@ private:
     color->Allocate2D(width, height, 4, VTK_FLOAT);
     vtkNew<vtkTextureObject> depth;
     depth->SetContext(window);
-    depth->AllocateDepthStencil(width, height);
+    // VTK's own mappers copy the depth by a blit, which wants the format of the window's buffer.
+    if (window->GetStencilCapable())
+    {
+      depth->AllocateDepthStencil(width, height);
+    }
+    else
+    {
+      depth->AllocateDepth(width, height, vtkTextureObject::Fixed24);
+    }
 
     vtkNew<vtkOpenGLFramebufferObject> framebuffer;
     framebuffer->SetContext(window);

@@ -1,6 +1,7 @@
 """Command line of the package: reads a study, measures it, writes results, plots and a report."""
 
 import argparse
+import signal
 import sys
 from pathlib import Path
 
@@ -82,6 +83,8 @@ def write_views(
 
 def main(arguments: list[str] | None = None) -> int:
     """Run the command line; bad input is one line on stderr and exit code 2."""
+    # pvpython's own handler would end an interrupt with a stack trace.
+    signal.signal(signal.SIGINT, signal.default_int_handler)
     try:
         return run(parse(arguments))
     except BenchError as fault:

@@ -20,7 +20,7 @@ class CameraPose:
     view_angle_degrees: float = VIEW_ANGLE_DEGREES
 
 
-def orbit_pose(frame: float, frames: int, bounds: Bounds, camera: Camera) -> CameraPose:
+def orbit_pose(frame: int, frames: int, bounds: Bounds, camera: Camera) -> CameraPose:
     """Return the pose of one frame: azimuth 360 * frame / frames about y, from +z at frame 0.
 
     At zoom 1 the bounding sphere just fits the view angle; zoom z divides the distance by z.
@@ -49,3 +49,8 @@ def block_frames(block: int, size: int, frames: int) -> list[int]:
     size = min(size, frames)
     shift = block % math.ceil(frames / size)
     return [(index * frames // size + shift) % frames for index in range(size)]
+
+
+def error_frame(view: int, views: int, frames: int) -> int:
+    """Return the frame of an error view, as the filter chooses it for path engine."""
+    return view * frames // max(views, 1)

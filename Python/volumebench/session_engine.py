@@ -67,13 +67,22 @@ def _set_properties(
     bench.CameraPath = study.camera.path
     bench.Frames = study.camera.frames
     bench.Elevation = study.camera.elevation_degrees
-    bench.Zoom = study.camera.zoom
+    _set_zoom(bench, study.camera.zoom)
     bench.WarmUpFrames = study.timing.warm_up_frames
     bench.MinimumFrames = study.timing.minimum_frames
     bench.RelativeNoise = study.timing.relative_noise
     bench.TimeLimit = study.timing.time_limit_s
     bench.ErrorViews = study.error.views
     bench.ReferenceStepVoxels = study.error.reference_step_voxels
+
+
+def _set_zoom(bench: Any, zoom: float) -> None:
+    if bench.GetProperty("Zoom") is not None:
+        bench.Zoom = zoom
+    elif zoom != 1:
+        raise BenchError(
+            f"the filter {FILTER_PROXY} knows no zoom, but camera.zoom is {zoom:g}"
+        )
 
 
 def _different(values: Any) -> list[Any]:

@@ -106,8 +106,7 @@ class ViewStage:
 
     def resize(self, reduction: int) -> None:
         """Render from now on at the picture size divided by a whole number."""
-        self._view.ViewSize = [max(side // reduction, 1) for side in self._size]
-        self._view.SMProxy.StillRender()
+        _set_size(self._view, [max(side // reduction, 1) for side in self._size])
 
     def _make_capture(self) -> Any:
         maker = getattr(servermanager.misc, CAPTURE_PROXY, None)
@@ -154,12 +153,23 @@ class ViewStage:
 
 def _plain_view(size: tuple[int, int]) -> Any:
     view = simple.CreateRenderView()
-    view.ViewSize = list(size)
     view.UseColorPaletteForBackground = 0
     view.BackgroundColorMode = "Single Color"
     view.Background = [0, 0, 0]
     view.OrientationAxesVisibility = 0
     view.CenterAxesVisibility = 0
     view.UseFXAA = 0
-    view.SMProxy.StillRender()
+    _set_size(view, list(size))
     return view
+
+
+def _set_size(view: Any, size: list[int]) -> None:
+    """Resize the view; a window system may give less than it was asked for."""
+    view.ViewSize = size
+    view.SMProxy.StillRender()
+    actual = list(view.GetRenderWindow().GetSize())
+    if actual != size:
+        simple.Delete(view)
+        raise BenchError(
+            f"the view is {actual[0]} x {actual[1]} pixels, not {size[0]} x {size[1]}"
+        )

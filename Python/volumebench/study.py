@@ -239,7 +239,16 @@ def study_from(document: dict[str, Any], path: Path) -> Study:
     groups = {"camera": Camera, "timing": Timing, "error": ErrorSettings}
     for key, group in groups.items():
         values[key] = group(**document.get(key, {}))
+    _check_views(values["error"], values["camera"], path)
     return _with_runs(Study(**values), path)
+
+
+def _check_views(error: ErrorSettings, camera: Camera, path: Path) -> None:
+    if error.views > camera.frames:
+        raise StudyError(
+            f'{path}: "error.views": {error.views} views do not fit an orbit of '
+            f'{camera.frames} frames ("camera.frames")'
+        )
 
 
 def _dataset(item: dict[str, Any], path: Path) -> Dataset:

@@ -13,7 +13,7 @@ import numpy as np
 from .error import ImageError, compare
 from .errors import BenchError
 from .measure import StopRule, shuffled
-from .orbit import Bounds, CameraPose, block_frames, orbit_pose
+from .orbit import Bounds, CameraPose, block_frames, error_frame, orbit_pose
 from .results import FAILED, OK, UNSUPPORTED, times
 from .study import Run, Study
 from .summary import STANDARD_STEP_VOXELS
@@ -24,8 +24,6 @@ BLOCK_FRAMES = 4
 SETTLE_FRAMES = {"view": 1, "interactive": 3}
 REFERENCE_TERMINATION = 1e-7
 CHECK_REDUCTION = 4
-# Error view i of n looks from azimuth 360 (i + 1/8) / n degrees.
-OFF_AXIS = 0.125
 
 
 class Unsupported(BenchError):
@@ -236,9 +234,9 @@ def _reference(stage: Stage, study: Study, view: int, step: float) -> np.ndarray
 
 
 def _error_pose(stage: Stage, study: Study, view: int) -> CameraPose:
-    """Return an error view; off the axes, where axis-aligned views would flatter."""
-    views = max(study.error.views, 1)
-    return orbit_pose(view + OFF_AXIS, views, stage.bounds, study.camera)
+    frames = study.camera.frames
+    frame = error_frame(view, study.error.views, frames)
+    return orbit_pose(frame, frames, stage.bounds, study.camera)
 
 
 def _take_error(

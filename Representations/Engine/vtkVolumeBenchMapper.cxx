@@ -22,6 +22,7 @@ struct vtkVolumeBenchMapper::Internals
   std::unique_ptr<volumebench::Technique> Technique;
   vtkWeakPointer<vtkOpenGLRenderWindow> Window; // whose context holds the GPU objects
   std::string Failure;
+  bool Unsupported = false;
 
   // GPU objects go with the context that made them: deleted while it lives, dropped when it is gone.
   void ReleaseGpu()
@@ -80,7 +81,7 @@ struct vtkVolumeBenchMapper::Internals
     const std::string reason = this->Technique->WhyUnsupported(window);
     if (!reason.empty())
     {
-      throw SceneError("technique '" + this->TechniqueId + "' cannot run here: " + reason);
+      throw volumebench::UnsupportedError("technique '" + this->TechniqueId + "' cannot run here: " + reason);
     }
     const int largestTable = volumebench::ReadGlLimits().Texture;
     const volumebench::Scene scene = this->Builder.Build(mapper, renderer, volume, largestTable);
@@ -107,9 +108,15 @@ void vtkVolumeBenchMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
     return;
   }
   std::string failure;
+  this->Internal->Unsupported = false;
   try
   {
     this->Internal->Draw(this, renderer, volume);
+  }
+  catch (const volumebench::UnsupportedError& error)
+  {
+    failure = error.what();
+    this->Internal->Unsupported = true;
   }
   catch (const std::exception& error)
   {
@@ -134,6 +141,11 @@ void vtkVolumeBenchMapper::ReleaseGraphicsResources(vtkWindow* window)
 const std::string& vtkVolumeBenchMapper::GetFailure() const
 {
   return this->Internal->Failure;
+}
+
+bool vtkVolumeBenchMapper::GetUnsupported() const
+{
+  return this->Internal->Unsupported;
 }
 
 namespace
@@ -163,10 +175,10 @@ std::string vtkVolumeBenchMapper::GetLeftOut() const
     : std::string();
 }
 
-volumebench::Timings vtkVolumeBenchMapper::GetTimings()
+volumebench::SetUpCosts vtkVolumeBenchMapper::GetSetUpCosts() const
 {
-  return this->Internal->Technique ? this->Internal->Technique->GetTimings()
-                                   : volumebench::Timings();
+  return this->Internal->Technique ? this->Internal->Technique->GetSetUpCosts()
+                                   : volumebench::SetUpCosts();
 }
 
 void vtkVolumeBenchMapper::PrintSelf(ostream& os, vtkIndent indent)

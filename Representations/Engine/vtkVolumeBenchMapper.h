@@ -21,7 +21,7 @@
 
 namespace volumebench
 {
-struct Timings;
+struct SetUpCosts;
 }
 
 class VOLUMEBENCHENGINE_EXPORT vtkVolumeBenchMapper : public vtkVolumeMapper
@@ -101,15 +101,20 @@ public:
   const std::string& GetFailure() const;
 
   /**
+   * Whether the last failure was the machine's (no such API, too old a context) and not the scene's.
+   */
+  bool GetUnsupported() const;
+
+  /**
    * Names of the features compiled into the last kernel, and of those left out, space-separated.
    */
   std::string GetFeatures() const;
   std::string GetLeftOut() const;
 
   /**
-   * Time spent by the last render; waits for the device. The render's context must be current.
+   * What the technique spent on uploads and compilation, and its bytes on the device.
    */
-  volumebench::Timings GetTimings();
+  volumebench::SetUpCosts GetSetUpCosts() const;
 
 protected:
   vtkVolumeBenchMapper();

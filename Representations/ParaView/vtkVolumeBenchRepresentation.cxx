@@ -1,55 +1,17 @@
 #include "vtkVolumeBenchRepresentation.h"
 
+#include "Scene/ArraySelection.h"
+#include "Scene/DefaultTransferFunction.h"
 #include "vtkVolumeBenchMapper.h"
 
-#include "vtkCellData.h"
 #include "vtkColorTransferFunction.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkInformation.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVLODVolume.h"
-#include "vtkPiecewiseFunction.h"
-#include "vtkPointData.h"
 #include "vtkScalarsToColors.h"
 #include "vtkVolumeProperty.h"
-
-namespace
-{
-vtkDataArray* FirstNumericArray(vtkDataSetAttributes* attributes)
-{
-  if (vtkDataArray* scalars = attributes->GetScalars())
-  {
-    return scalars;
-  }
-  for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
-  {
-    vtkDataArray* array = attributes->GetArray(i);
-    if (array && array->GetName())
-    {
-      return array;
-    }
-  }
-  return nullptr;
-}
-
-// ParaView's default: cool to warm, opacity rising over the range.
-void FillRamp(vtkVolumeProperty* property, const double range[2])
-{
-  const double low = range[0];
-  const double high = range[1] > range[0] ? range[1] : range[0] + 1.0;
-  vtkNew<vtkColorTransferFunction> color;
-  color->SetColorSpaceToDiverging();
-  color->AddRGBPoint(low, 0.231373, 0.298039, 0.752941);
-  color->AddRGBPoint(0.5 * low + 0.5 * high, 0.865003, 0.865003, 0.865003);
-  color->AddRGBPoint(high, 0.705882, 0.0156863, 0.14902);
-  vtkNew<vtkPiecewiseFunction> opacity;
-  opacity->AddPoint(low, 0.0);
-  opacity->AddPoint(high, 1.0);
-  property->SetColor(color);
-  property->SetScalarOpacity(opacity);
-}
-}
 
 vtkStandardNewMacro(vtkVolumeBenchRepresentation);
 
@@ -119,12 +81,8 @@ void vtkVolumeBenchRepresentation::ForwardVectorMode()
 void vtkVolumeBenchRepresentation::DrawDefaultArray()
 {
   vtkDataSet* data = vtkDataSet::SafeDownCast(this->Cache);
-  vtkDataArray* array = data ? FirstNumericArray(data->GetPointData()) : nullptr;
-  const bool onPoints = array != nullptr;
-  if (data && !array)
-  {
-    array = FirstNumericArray(data->GetCellData());
-  }
+  volumebench::Centering center = volumebench::Centering::Point;
+  vtkDataArray* array = data ? volumebench::FirstArray(data, center) : nullptr;
   this->Actor->SetVisibility(array != nullptr);
   if (!array)
   {
@@ -134,7 +92,7 @@ void vtkVolumeBenchRepresentation::DrawDefaultArray()
   {
     double range[2];
     array->GetFiniteRange(range, array->GetNumberOfComponents() > 1 ? -1 : 0);
-    FillRamp(this->DefaultProperty, range);
+    volumebench::FillDefaultTransferFunction(this->DefaultProperty, range);
     this->RampedArray = array;
     this->RampTime = array->GetMTime();
   }
@@ -150,8 +108,9 @@ void vtkVolumeBenchRepresentation::DrawDefaultArray()
 
   vtkVolumeBenchMapper* mapper = this->GetMapper();
   mapper->SelectScalarArray(array->GetName());
-  mapper->SetScalarMode(
-    onPoints ? VTK_SCALAR_MODE_USE_POINT_FIELD_DATA : VTK_SCALAR_MODE_USE_CELL_FIELD_DATA);
+  mapper->SetScalarMode(center == volumebench::Centering::Point
+      ? VTK_SCALAR_MODE_USE_POINT_FIELD_DATA
+      : VTK_SCALAR_MODE_USE_CELL_FIELD_DATA);
   mapper->SetVectorMode(vtkVolumeBenchMapper::Magnitude);
 }
 

@@ -4,7 +4,7 @@ import math
 
 import pytest
 from volumebench.measure import StopRule, shuffled
-from volumebench.orbit import block_frames, orbit_pose
+from volumebench.orbit import block_frames, error_frame, orbit_pose
 from volumebench.statistics import quantile, relative_noise_of_mean, spread
 from volumebench.study import Camera, Timing
 
@@ -83,3 +83,9 @@ def test_blocks_cover_every_frame(size, frames):
     blocks = [block_frames(block, size, frames) for block in range(frames)]
     assert {frame for block in blocks for frame in block} == set(range(frames))
     assert all(len(set(block)) == len(block) for block in blocks)
+
+
+def test_error_views_are_spread_over_the_revolution():
+    assert [error_frame(view, 3, 12) for view in range(3)] == [0, 4, 8]
+    assert [error_frame(view, 2, 5) for view in range(2)] == [0, 2]
+    assert error_frame(0, 0, 12) == 0, "without error views, the picture is of frame 0"

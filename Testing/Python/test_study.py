@@ -164,7 +164,7 @@ def changed(key, value):
         (changed("paths", ["remote"]), "paths[0]", "remote"),
         (changed("camera", {"path": "orbit-q"}), "camera.path", "orbit-y"),
         (changed("camera", {"frames": 0}), "camera.frames", "at least 1"),
-        (changed("camera", {"zoom": 0}), "camera.zoom", "above 0"),
+        (changed("camera", {"zoom": 0}), "camera.zoom", "from 0.1"),
         (
             changed("camera", {"elevation_degrees": 90}),
             "camera.elevation_degrees",
@@ -173,6 +173,7 @@ def changed(key, value):
         (changed("timing", {"minimum_frames": 0}), "timing.minimum_frames", "1"),
         (changed("timing", {"time_limit_s": 0}), "timing.time_limit_s", "above 0"),
         (changed("timing", {"relative_noise": 2}), "timing.relative_noise", "2"),
+        (changed("error", {"views": 37}), "error.views", "36"),
         (changed("error", {"views": -1}), "error.views", "-1"),
         (
             changed("error", {"reference_step_voxels": 0}),

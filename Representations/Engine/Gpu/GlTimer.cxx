@@ -3,9 +3,23 @@
 #include "vtk_glew.h"
 
 #include <limits>
+#include <string>
 
 namespace volumebench
 {
+namespace
+{
+void EndSoftwareBatch()
+{
+  const auto* renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+  const std::string name = renderer ? renderer : "";
+  if (name.find("llvmpipe") != std::string::npos || name.find("softpipe") != std::string::npos)
+  {
+    glFinish();
+  }
+}
+}
+
 void GlTimer::Start()
 {
   if (!this->Queries[0])
@@ -13,6 +27,7 @@ void GlTimer::Start()
     glGenQueries(2, this->Queries);
   }
   glQueryCounter(this->Queries[0], GL_TIMESTAMP);
+  EndSoftwareBatch();
   this->Started = true;
   this->Stopped = false;
 }
@@ -21,6 +36,7 @@ void GlTimer::Stop()
 {
   if (this->Started)
   {
+    EndSoftwareBatch();
     glQueryCounter(this->Queries[1], GL_TIMESTAMP);
     this->Stopped = true;
   }

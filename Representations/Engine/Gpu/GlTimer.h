@@ -1,4 +1,8 @@
 // GpuTimer on OpenGL timestamp queries, which nest and do not disturb VTK's own timers.
+//
+// Mesa's software rasterisers stamp a query when the last tile of the batch it is part of is done,
+// which may be after the commands that follow it. There Start and Stop each end a batch, so that a
+// time is the frame's on any device.
 #ifndef volumebench_GlTimer_h
 #define volumebench_GlTimer_h
 

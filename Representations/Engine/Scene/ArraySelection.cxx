@@ -18,6 +18,23 @@ std::string Quoted(const char* name)
   return name && *name ? "'" + std::string(name) + "'" : "without a name";
 }
 
+vtkDataArray* FirstNumericArray(vtkDataSetAttributes* attributes)
+{
+  if (vtkDataArray* scalars = attributes->GetScalars())
+  {
+    return scalars;
+  }
+  for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
+  {
+    vtkDataArray* array = attributes->GetArray(i); // null for arrays that are not numeric
+    if (array && array->GetName())
+    {
+      return array;
+    }
+  }
+  return nullptr;
+}
+
 vtkAbstractArray* FindIn(vtkDataSetAttributes* attributes, const ArrayRequest& request)
 {
   if (request.AccessMode == VTK_GET_ARRAY_BY_NAME)
@@ -54,6 +71,18 @@ vtkAbstractArray* Find(vtkImageData* image, const ArrayRequest& request, Centeri
       return cells->GetScalars();
   }
 }
+}
+
+vtkDataArray* FirstArray(vtkDataSet* data, Centering& center)
+{
+  center = Centering::Point;
+  vtkDataArray* array = FirstNumericArray(data->GetPointData());
+  if (!array)
+  {
+    center = Centering::Cell;
+    array = FirstNumericArray(data->GetCellData());
+  }
+  return array;
 }
 
 ArraySelection SelectArray(vtkImageData* image, const ArrayRequest& request)

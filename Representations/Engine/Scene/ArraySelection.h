@@ -7,6 +7,7 @@
 #include <string>
 
 class vtkDataArray;
+class vtkDataSet;
 class vtkImageData;
 
 namespace volumebench
@@ -35,6 +36,10 @@ struct ArrayRequest
 
 /// Throws SceneError when there is no such array, it is not numeric or its length does not fit.
 VOLUMEBENCHENGINE_EXPORT ArraySelection SelectArray(vtkImageData* image, const ArrayRequest& request);
+
+/// The array to draw while nobody has chosen one: the active or first numeric point array, else the
+/// same of the cells; null when there is none.
+VOLUMEBENCHENGINE_EXPORT vtkDataArray* FirstArray(vtkDataSet* data, Centering& center);
 }
 
 #endif

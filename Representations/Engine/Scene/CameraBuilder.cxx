@@ -8,6 +8,7 @@
 #include "vtkMatrix4x4.h"
 #include "vtkPropCollection.h"
 #include "vtkRenderer.h"
+#include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
 #include <glm/geometric.hpp>
@@ -107,7 +108,8 @@ bool HasOpaqueGeometry(vtkRenderer* renderer)
   props->InitTraversal(cursor);
   while (vtkProp* prop = props->GetNextProp(cursor))
   {
-    if (prop->GetVisibility() && prop->HasOpaqueGeometry())
+    // A prop that does not say otherwise claims to be opaque; volumes do not say.
+    if (prop->GetVisibility() && !vtkVolume::SafeDownCast(prop) && prop->HasOpaqueGeometry())
     {
       return true;
     }

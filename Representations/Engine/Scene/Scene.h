@@ -26,6 +26,13 @@ public:
   using std::runtime_error::runtime_error;
 };
 
+/// The technique cannot run on this machine or in this context, whatever the scene.
+class UnsupportedError : public SceneError
+{
+public:
+  using SceneError::SceneError;
+};
+
 /// One value per struct answers "did it change?": equal stamps mean equal contents.
 using ChangeStamp = std::size_t;
 

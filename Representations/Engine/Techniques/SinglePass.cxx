@@ -84,14 +84,12 @@ void SinglePass::Render(const Scene& scene, vtkOpenGLRenderWindow* window)
   const GlContextGuard guard(window);
   vtkOpenGLState* state = window->GetState();
   state->vtkglDisable(GL_SCISSOR_TEST);
-  this->Timer.Start();
   if (Has(this->Features, Feature::OpaqueDepth))
   {
     this->Depth.Capture(window, scene.Camera.Viewport);
   }
   this->UploadBlock(scene);
   this->Draw(scene, window);
-  this->Timer.Stop();
   glBindBufferBase(GL_UNIFORM_BUFFER, SceneBinding, 0);
 }
 
@@ -136,22 +134,20 @@ void SinglePass::Draw(const Scene& scene, vtkOpenGLRenderWindow* window)
   GlProgram::Unbind();
 }
 
-Timings SinglePass::GetTimings()
+SetUpCosts SinglePass::GetSetUpCosts() const
 {
-  Timings timings;
-  timings.UploadMs = this->Textures.GetUploadMs();
-  timings.TablesMs = this->Textures.GetTablesMs();
-  timings.CompileMs = this->CompileMs;
-  timings.KernelMs = this->Timer.ElapsedMs();
-  timings.BytesOnDevice = this->Textures.GetBytesOnDevice();
-  return timings;
+  SetUpCosts costs;
+  costs.UploadMs = this->Textures.GetUploadMs();
+  costs.TablesMs = this->Textures.GetTablesMs();
+  costs.CompileMs = this->CompileMs;
+  costs.BytesOnDevice = this->Textures.GetBytesOnDevice();
+  return costs;
 }
 
 void SinglePass::Release()
 {
   this->Textures.Release();
   this->Depth.Release();
-  this->Timer.Release();
   for (auto& [bits, program] : this->Programs)
   {
     program->Release();
@@ -168,7 +164,6 @@ void SinglePass::Forget()
 {
   this->Textures.Forget();
   this->Depth.Forget();
-  this->Timer.Forget();
   this->Programs.clear();
   this->SceneBuffer = this->VertexArray = 0;
 }

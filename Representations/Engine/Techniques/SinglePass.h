@@ -4,7 +4,6 @@
 #define volumebench_SinglePass_h
 
 #include "Gpu/GlProgram.h"
-#include "Gpu/GlTimer.h"
 #include "Gpu/OpaqueDepth.h"
 #include "Gpu/SceneTextures.h"
 #include "Techniques/Technique.h"
@@ -19,7 +18,7 @@ class SinglePass : public Technique
 public:
   void Prepare(const Scene& scene, vtkOpenGLRenderWindow* window) override;
   void Render(const Scene& scene, vtkOpenGLRenderWindow* window) override;
-  Timings GetTimings() override;
+  SetUpCosts GetSetUpCosts() const override;
   FeatureSet GetFeatures() const override { return this->Features; }
   void Release() override;
   void Forget() override;
@@ -31,7 +30,6 @@ private:
 
   SceneTextures Textures;
   OpaqueDepth Depth;
-  GlTimer Timer;
   std::map<unsigned long, std::unique_ptr<GlProgram>> Programs; // by feature bits
   FeatureSet Features;
   double CompileMs = 0.0;

@@ -13,16 +13,14 @@ class vtkOpenGLRenderWindow;
 
 namespace volumebench
 {
-/// What was spent; NaN where it was not measured. Set-up times are those of the last time that the
-/// step had to be done, the rest is of the last frame.
-struct Timings
+/// What the technique spends before a frame, each as of the last time that it had to be done; NaN
+/// where it has no such step.
+struct SetUpCosts
 {
   double UploadMs = std::numeric_limits<double>::quiet_NaN();
   double TablesMs = std::numeric_limits<double>::quiet_NaN();
   double GridMs = std::numeric_limits<double>::quiet_NaN();
   double CompileMs = std::numeric_limits<double>::quiet_NaN();
-  double KernelMs = std::numeric_limits<double>::quiet_NaN();   // device time of the march
-  double TransferMs = std::numeric_limits<double>::quiet_NaN(); // picture copied between APIs
   std::size_t BytesOnDevice = 0;
 };
 
@@ -40,8 +38,7 @@ public:
   /// Blends the premultiplied picture over the bound framebuffer; the GL state is left as found.
   virtual void Render(const Scene& scene, vtkOpenGLRenderWindow* window) = 0;
 
-  /// Waits for the last frame's device time.
-  virtual Timings GetTimings() = 0;
+  virtual SetUpCosts GetSetUpCosts() const = 0;
 
   /// Features compiled into the kernel that drew last.
   virtual FeatureSet GetFeatures() const = 0;

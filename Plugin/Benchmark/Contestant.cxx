@@ -1,0 +1,93 @@
+#include "Contestant.h"
+
+#include "Techniques/TechniqueTable.h"
+#include "vtkVolumeBenchMapper.h"
+
+#include "vtkFixedPointVolumeRayCastMapper.h"
+#include "vtkGPUVolumeRayCastMapper.h"
+#include "vtkImageData.h"
+#include "vtkVolumeProperty.h"
+
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+
+namespace volumebench
+{
+namespace
+{
+// What ParaView's own representation asks of VTK for a still picture.
+constexpr double ParaViewStepVoxels = 0.5;
+
+double MeanSpacing(vtkImageData* image)
+{
+  const double* spacing = image->GetSpacing();
+  return (spacing[0] + spacing[1] + spacing[2]) / 3.0;
+}
+}
+
+const std::vector<std::string>& Contestant::Peers()
+{
+  static const std::vector<std::string> peers = { "vtk-gpu", "vtk-fixed-point" };
+  return peers;
+}
+
+Contestant::Contestant(const std::string& id, const ContestantInput& input)
+  : Id(id)
+  , PeerStepVoxels(std::numeric_limits<double>::quiet_NaN())
+{
+  vtkSmartPointer<vtkVolumeMapper> mapper;
+  if (FindTechnique(id))
+  {
+    this->Mapper = vtkSmartPointer<vtkVolumeBenchMapper>::New();
+    this->Mapper->SetTechnique(id.c_str());
+    this->Mapper->SetVectorMode(input.VectorMode);
+    this->Mapper->SetVectorComponent(input.VectorComponent);
+    mapper = this->Mapper;
+  }
+  else if (std::count(Peers().begin(), Peers().end(), id))
+  {
+    mapper = this->MakePeer(input);
+  }
+  else
+  {
+    std::string known = TechniqueIds();
+    for (const std::string& peer : Peers())
+    {
+      known += ", " + peer;
+    }
+    throw std::runtime_error("there is no technique '" + id + "'; known are " + known);
+  }
+  mapper->SetInputData(input.Image);
+  mapper->SetScalarMode(
+    input.CellArray ? VTK_SCALAR_MODE_USE_CELL_FIELD_DATA : VTK_SCALAR_MODE_USE_POINT_FIELD_DATA);
+  mapper->SelectScalarArray(input.ArrayName.c_str());
+  this->Volume->SetMapper(mapper);
+  this->Volume->SetProperty(input.Property);
+  this->Volume->SetVisibility(false);
+}
+
+vtkSmartPointer<vtkVolumeMapper> Contestant::MakePeer(const ContestantInput& input)
+{
+  if (input.Components > 1)
+  {
+    this->Unsupported =
+      "peer '" + this->Id + "' is measured on arrays with one component only";
+  }
+  const double sampleDistance = ParaViewStepVoxels * MeanSpacing(input.Image);
+  this->PeerStepVoxels = ParaViewStepVoxels;
+  if (this->Id == "vtk-gpu")
+  {
+    auto mapper = vtkSmartPointer<vtkGPUVolumeRayCastMapper>::New();
+    mapper->SetAutoAdjustSampleDistances(0);
+    mapper->SetUseJittering(0);
+    mapper->SetSampleDistance(static_cast<float>(sampleDistance));
+    return mapper;
+  }
+  auto mapper = vtkSmartPointer<vtkFixedPointVolumeRayCastMapper>::New();
+  mapper->SetAutoAdjustSampleDistances(0);
+  mapper->SetImageSampleDistance(1.0f);
+  mapper->SetSampleDistance(static_cast<float>(sampleDistance));
+  return mapper;
+}
+}

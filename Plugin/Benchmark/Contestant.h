@@ -1,0 +1,64 @@
+// One way of drawing the volume in an experiment: a technique of ours or a peer of VTK's, with the
+// mapper and the volume that are shown while it is measured.
+#ifndef volumebench_Contestant_h
+#define volumebench_Contestant_h
+
+#include "vtkVolumeBenchMapper.h"
+
+#include "vtkNew.h"
+#include "vtkSmartPointer.h"
+#include "vtkVolume.h"
+#include "vtkVolumeMapper.h"
+
+#include <string>
+#include <vector>
+
+class vtkImageData;
+class vtkVolumeProperty;
+
+namespace volumebench
+{
+struct ContestantInput
+{
+  vtkImageData* Image = nullptr;
+  std::string ArrayName;
+  bool CellArray = false;
+  int Components = 1;
+  int VectorMode = 1; // vtkVolumeBenchMapper::VectorModes
+  int VectorComponent = 0;
+  vtkVolumeProperty* Property = nullptr;
+};
+
+class Contestant
+{
+public:
+  /// Throws std::runtime_error when `id` is neither a technique nor a peer.
+  Contestant(const std::string& id, const ContestantInput& input);
+
+  const std::string& GetId() const { return this->Id; }
+  vtkVolume* GetVolume() { return this->Volume; }
+
+  /// Our mapper, null for a peer.
+  vtkVolumeBenchMapper* GetMapper() { return this->Mapper; }
+
+  /// Why a peer cannot draw this input; empty when it can.
+  const std::string& GetUnsupported() const { return this->Unsupported; }
+
+  /// The step that a peer takes, in voxels of mean edge length; NaN when it has none of its own.
+  double GetPeerStepVoxels() const { return this->PeerStepVoxels; }
+
+  /// Ids of the peers.
+  static const std::vector<std::string>& Peers();
+
+private:
+  vtkSmartPointer<vtkVolumeMapper> MakePeer(const ContestantInput& input);
+
+  std::string Id;
+  vtkNew<vtkVolume> Volume;
+  vtkSmartPointer<vtkVolumeBenchMapper> Mapper;
+  std::string Unsupported;
+  double PeerStepVoxels;
+};
+}
+
+#endif

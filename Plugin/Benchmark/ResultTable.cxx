@@ -1,0 +1,106 @@
+#include "ResultTable.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkNew.h"
+#include "vtkStringArray.h"
+#include "vtkTable.h"
+
+namespace volumebench
+{
+namespace
+{
+class Columns
+{
+public:
+  Columns(const std::vector<RunResult>& results, vtkTable* table)
+    : Results(results)
+    , Table(table)
+  {
+  }
+
+  template <typename Get>
+  void Text(const char* name, Get get)
+  {
+    vtkNew<vtkStringArray> column;
+    column->SetName(name);
+    for (const RunResult& result : this->Results)
+    {
+      column->InsertNextValue(get(result));
+    }
+    this->Table->AddColumn(column);
+  }
+
+  template <typename Get>
+  void Number(const std::string& name, Get get)
+  {
+    vtkNew<vtkDoubleArray> column;
+    column->SetName(name.c_str());
+    for (const RunResult& result : this->Results)
+    {
+      column->InsertNextValue(get(result));
+    }
+    this->Table->AddColumn(column);
+  }
+
+  void Spread(const std::string& name, const Summary RunResult::*member)
+  {
+    this->Number(name + ".median", [=](const RunResult& r) { return (r.*member).Median; });
+    this->Number(name + ".q1", [=](const RunResult& r) { return (r.*member).Q1; });
+    this->Number(name + ".q3", [=](const RunResult& r) { return (r.*member).Q3; });
+    this->Number(name + ".min", [=](const RunResult& r) { return (r.*member).Min; });
+    this->Number(name + ".max", [=](const RunResult& r) { return (r.*member).Max; });
+  }
+
+  void Absent(const char* name)
+  {
+    this->Number(name, [](const RunResult&) { return std::numeric_limits<double>::quiet_NaN(); });
+  }
+
+private:
+  const std::vector<RunResult>& Results;
+  vtkTable* Table;
+};
+
+void FillCosts(Columns& columns)
+{
+  columns.Number("frames", [](const RunResult& r) { return r.Frames; });
+  columns.Spread("frame_ms", &RunResult::FrameMs);
+  columns.Spread("gpu_ms", &RunResult::GpuMs);
+  columns.Number("fps", [](const RunResult& r) { return 1000.0 / r.FrameMs.Median; });
+  columns.Number("setup_ms.upload", [](const RunResult& r) { return r.UploadMs; });
+  columns.Number("setup_ms.tables", [](const RunResult& r) { return r.TablesMs; });
+  columns.Number("setup_ms.grid", [](const RunResult& r) { return r.GridMs; });
+  columns.Number("setup_ms.compile", [](const RunResult& r) { return r.CompileMs; });
+  columns.Absent("samples_taken");
+  columns.Absent("samples_skipped");
+  columns.Absent("rays_terminated");
+  columns.Number("bytes_on_device", [](const RunResult& r) { return r.BytesOnDevice; });
+}
+}
+
+void FillResultTable(const std::vector<RunResult>& results, const ExperimentSettings& settings,
+  const std::string& view, vtkTable* table)
+{
+  Columns columns(results, table);
+  columns.Text("technique", [](const RunResult& r) { return r.Technique; });
+  columns.Text("integrator", [](const RunResult& r) { return r.Integrator; });
+  columns.Text("blend_mode", [](const RunResult&) { return std::string("Composite"); });
+  columns.Number("step_voxels", [](const RunResult& r) { return r.StepVoxels; });
+  columns.Number("image_size.w", [&](const RunResult&) { return settings.Width; });
+  columns.Number("image_size.h", [&](const RunResult&) { return settings.Height; });
+  columns.Text("view", [&](const RunResult&) { return view; });
+  columns.Text("path", [](const RunResult&) { return std::string("engine"); });
+  columns.Text("features", [](const RunResult& r) { return r.Features; });
+  columns.Text("left_out", [](const RunResult& r) { return r.LeftOut; });
+  columns.Text("status", [](const RunResult& r) { return r.Status; });
+  columns.Text("reason", [](const RunResult& r) { return r.Reason; });
+  FillCosts(columns);
+  columns.Number("error.rmse", [](const RunResult& r) { return r.Error.Rmse; });
+  columns.Number("error.linf", [](const RunResult& r) { return r.Error.Linf; });
+  columns.Number("error.p999", [](const RunResult& r) { return r.Error.P999; });
+  columns.Number("error.psnr", [](const RunResult& r) { return r.Error.Psnr; });
+  columns.Text("error.reference", [](const RunResult& r) { return r.Reference; });
+  columns.Number(
+    "error.reference_uncertainty", [](const RunResult& r) { return r.ReferenceUncertainty; });
+}
+}

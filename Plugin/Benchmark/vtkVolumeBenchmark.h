@@ -1,0 +1,174 @@
+/**
+ * @class   vtkVolumeBenchmark
+ * @brief   measures speed and error of volume-rendering techniques on the input
+ *
+ * Image data in, a table out with one row per run: every chosen technique with every chosen
+ * integrator and step, and the peers vtk-gpu and vtk-fixed-point once each with ParaView's step.
+ * The picture is drawn in an off-screen window of the filter's own while the camera goes round the
+ * y axis. Column names are the keys of results.json, nested ones joined by dots; NaN and empty
+ * strings stand for what was not measured. Times are milliseconds, errors are on linear
+ * premultiplied float RGBA in [0, 1] over the union footprint.
+ *
+ * Bad settings and input that cannot be drawn give one error and an empty table.
+ */
+#ifndef vtkVolumeBenchmark_h
+#define vtkVolumeBenchmark_h
+
+#include "VolumeBenchBenchmarkModule.h" // for the export macro
+#include "vtkTableAlgorithm.h"
+
+#include <string> // for technique ids
+#include <vector> // for lists
+
+class vtkDataArray;
+class vtkImageData;
+class vtkVolumeProperty;
+
+class VOLUMEBENCHBENCHMARK_EXPORT vtkVolumeBenchmark : public vtkTableAlgorithm
+{
+public:
+  static vtkVolumeBenchmark* New();
+  vtkTypeMacro(vtkVolumeBenchmark, vtkTableAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /** Ids of techniques and peers to measure. */
+  void AddTechnique(const char* id);
+  void ClearTechniques();
+  ///@}
+
+  ///@{
+  /** Integrators by name, "Left" or "Midpoint". */
+  void AddIntegrator(const char* name);
+  void ClearIntegrators();
+  ///@}
+
+  ///@{
+  /** Steps in voxel edges. */
+  void AddStepVoxels(double step);
+  void ClearStepVoxels();
+  ///@}
+
+  ///@{
+  /** Size of the picture in pixels. */
+  vtkSetVector2Macro(ImageSize, int);
+  vtkGetVector2Macro(ImageSize, int);
+  ///@}
+
+  ///@{
+  /** Opacity points x, alpha, x, alpha, ... in scalar values, ascending; none: a ramp. */
+  void AddOpacityPoint(double x, double alpha);
+  void ClearOpacityPoints();
+  ///@}
+
+  ///@{
+  /** Colour points x, r, g, b, ... in scalar values, ascending; none: cool to warm. */
+  void AddColorPoint(double x, double r, double g, double b);
+  void ClearColorPoints();
+  ///@}
+
+  ///@{
+  /** World length over which the opacities hold; 0: the mean spacing. */
+  vtkSetMacro(ScalarOpacityUnitDistance, double);
+  vtkGetMacro(ScalarOpacityUnitDistance, double);
+  ///@}
+
+  ///@{
+  /** As in vtkVolumeBenchMapper. */
+  vtkSetMacro(TerminationThreshold, double);
+  vtkGetMacro(TerminationThreshold, double);
+  vtkSetMacro(RaySetUp, int);
+  vtkGetMacro(RaySetUp, int);
+  vtkSetMacro(VectorMode, int);
+  vtkGetMacro(VectorMode, int);
+  vtkSetMacro(VectorComponent, int);
+  vtkGetMacro(VectorComponent, int);
+  ///@}
+
+  ///@{
+  /** Gradient shading with a headlight. */
+  vtkSetMacro(Shade, bool);
+  vtkGetMacro(Shade, bool);
+  ///@}
+
+  ///@{
+  /** Camera path; "orbit-y" is the only one. */
+  vtkSetStdStringFromCharMacro(CameraPath);
+  vtkGetCharFromStdStringMacro(CameraPath);
+  ///@}
+
+  ///@{
+  /** Frames of one turn, elevation above the equator in degrees, divisor of the distance. */
+  vtkSetMacro(Frames, int);
+  vtkGetMacro(Frames, int);
+  vtkSetMacro(Elevation, double);
+  vtkGetMacro(Elevation, double);
+  vtkSetMacro(Zoom, double);
+  vtkGetMacro(Zoom, double);
+  ///@}
+
+  ///@{
+  /** When a run is long enough: see StopRule.h. Seconds above 0 rotates for that long instead. */
+  vtkSetMacro(WarmUpFrames, int);
+  vtkGetMacro(WarmUpFrames, int);
+  vtkSetMacro(MinimumFrames, int);
+  vtkGetMacro(MinimumFrames, int);
+  vtkSetMacro(RelativeNoise, double);
+  vtkGetMacro(RelativeNoise, double);
+  vtkSetMacro(TimeLimit, double);
+  vtkGetMacro(TimeLimit, double);
+  vtkSetMacro(Seconds, double);
+  vtkGetMacro(Seconds, double);
+  ///@}
+
+  ///@{
+  /** Views of the turn at which the error is measured (0: none) and the step of the reference. */
+  vtkSetMacro(ErrorViews, int);
+  vtkGetMacro(ErrorViews, int);
+  vtkSetMacro(ReferenceStepVoxels, double);
+  vtkGetMacro(ReferenceStepVoxels, double);
+  ///@}
+
+protected:
+  vtkVolumeBenchmark();
+  ~vtkVolumeBenchmark() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+  int ImageSize[2] = { 500, 500 };
+  double ScalarOpacityUnitDistance = 0.0;
+  double TerminationThreshold = 0.001;
+  int RaySetUp = 1;
+  int VectorMode = 0;
+  int VectorComponent = 0;
+  bool Shade = false;
+  std::string CameraPath = "orbit-y";
+  int Frames = 36;
+  double Elevation = 20.0;
+  double Zoom = 1.0;
+  int WarmUpFrames = 2;
+  int MinimumFrames = 12;
+  double RelativeNoise = 0.01;
+  double TimeLimit = 10.0;
+  double Seconds = 0.0;
+  int ErrorViews = 1;
+  double ReferenceStepVoxels = 1.0 / 32.0;
+
+private:
+  vtkVolumeBenchmark(const vtkVolumeBenchmark&) = delete;
+  void operator=(const vtkVolumeBenchmark&) = delete;
+
+  void Measure(vtkImageData* image, vtkTable* table);
+  vtkDataArray* ChooseArray(vtkImageData* image, bool& onCells);
+  void FillProperty(vtkImageData* image, vtkDataArray* scalars, vtkVolumeProperty* property);
+  void Append(std::vector<double>& points, std::initializer_list<double> values);
+
+  std::vector<std::string> Techniques;
+  std::vector<std::string> Integrators;
+  std::vector<double> Steps;
+  std::vector<double> OpacityPoints; // x, alpha
+  std::vector<double> ColorPoints;   // x, r, g, b
+};
+
+#endif
