@@ -9,17 +9,17 @@ namespace volumebench
 void StopRule::AddFrame(double frameMs)
 {
   this->FramesMs.push_back(frameMs);
-  this->ElapsedS += 1.0e-3 * frameMs;
+  this->ElapsedMs += frameMs;
 }
 
 bool StopRule::IsFinished() const
 {
   if (this->Settings.DurationS > 0.0)
   {
-    return this->ElapsedS >= this->Settings.DurationS;
+    return this->ElapsedMs >= 1000.0 * this->Settings.DurationS;
   }
   const int frames = static_cast<int>(this->FramesMs.size());
-  if (frames > 0 && this->ElapsedS >= this->Settings.TimeLimitS)
+  if (frames > 0 && this->ElapsedMs >= 1000.0 * this->Settings.TimeLimitS)
   {
     return true;
   }
@@ -32,6 +32,6 @@ double StopRule::Progress() const
 {
   const double limit =
     this->Settings.DurationS > 0.0 ? this->Settings.DurationS : this->Settings.TimeLimitS;
-  return this->IsFinished() || !(limit > 0.0) ? 1.0 : std::min(1.0, this->ElapsedS / limit);
+  return this->IsFinished() || !(limit > 0.0) ? 1.0 : std::min(1.0, 0.001 * this->ElapsedMs / limit);
 }
 }

@@ -36,7 +36,7 @@ public:
 private:
   StopRuleSettings Settings;
   std::vector<double> FramesMs;
-  double ElapsedS = 0.0;
+  double ElapsedMs = 0.0;
 };
 }
 

@@ -28,6 +28,8 @@ COLORS = (
     "#7a5195",
     "#8c564b",
 )
+EIGHT_BIT_LABEL = "rounding of an 8-bit screen"
+DOUBT_LABEL = "uncertainty of the reference"
 PATH_TITLES = {
     "engine": "engine: the filter's own window",
     "view": "view: ParaView, still render",
@@ -111,6 +113,9 @@ def _error_figure(rows: list[Record]) -> Any:
     for panel in panels[0]:
         for handle, label in zip(*panel.get_legend_handles_labels()):
             handles.setdefault(label, handle)
+    for label in (EIGHT_BIT_LABEL, DOUBT_LABEL):
+        if label in handles:
+            handles[label] = handles.pop(label)
     figure.tight_layout()
     figure.legend(
         handles.values(),
@@ -126,6 +131,7 @@ def _error_panel(panel: Any, rows: list[Record]) -> None:
     panel.set_xscale("log")
     panel.set_yscale("log")
     panel.grid(True, which="major")
+    panel.margins(x=0.12)
     for technique, integrator in dict.fromkeys(
         (row.technique, row.integrator) for row in rows
     ):
@@ -143,7 +149,7 @@ def _error_panel(panel: Any, rows: list[Record]) -> None:
         color="#b0b5bf",
         linewidth=1,
         linestyle=(0, (1, 2)),
-        label="rounding of an 8-bit screen",
+        label=EIGHT_BIT_LABEL,
     )
     panel.xaxis.set_major_locator(LogLocator(base=10, subs=(1, 2, 5)))
     panel.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
@@ -157,9 +163,8 @@ def _limit_errors(panel: Any, rows: list[Record]) -> None:
     panel.set_ylim(bottom, top)
     doubt = max(row.error.reference_uncertainty or 0 for row in rows)
     if doubt > bottom:
-        label = "uncertainty of the reference"
         panel.axhspan(
-            bottom, doubt, color="#f1ddd8", linewidth=0, zorder=0, label=label
+            bottom, doubt, color="#f1ddd8", linewidth=0, zorder=0, label=DOUBT_LABEL
         )
 
 
@@ -190,7 +195,7 @@ def _curve(panel: Any, rows: list[Record]) -> None:
         label=f"{TECHNIQUES[first.technique].title}, {first.integrator}",
     )
     if not left and len(ordered) > 1:
-        for row, side in ((ordered[0], (4, 4)), (ordered[-1], (4, 4))):
+        for row, side in ((ordered[0], (5, 3)), (ordered[-1], (-8, -12))):
             panel.annotate(
                 f"step {row.step_voxels:g}",
                 (row.frame_ms.median, row.error.rmse),

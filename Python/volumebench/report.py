@@ -13,7 +13,7 @@ from .plot import PATH_TITLES, error_plot_file, fps_plot_file
 from .report_style import HOW_TO_READ, STYLE
 from .results import Context, Record
 from .study import Scene, Study
-from .summary import Line, in_scene, lines, missing_groups, number
+from .summary import Line, headlines, in_scene, lines, missing_groups, number
 from .summary import sampling_text, scenes_of
 from .techniques import TECHNIQUES
 
@@ -89,8 +89,9 @@ def _summary(records: list[Record]) -> str:
     shown = lines(records)
     if not shown:
         return "<section><h2>Result</h2><p>No run was measured.</p></section>"
+    points = "".join(f"<li>{escape(text)}</li>" for text in headlines(records))
     return (
-        "<section><h2>Result</h2><p>Each technique at the fastest setting whose error does not "
+        f'<section><h2>Result</h2><ul class="headlines">{points}</ul><p>Each technique at the fastest setting whose error does not '
         "exceed the peer's, so the speed-up is at equal or better quality.</p>"
         f"{_line_table(shown, with_scene=True)}</section>"
     )

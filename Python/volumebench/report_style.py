@@ -25,6 +25,7 @@ img.plot { display: block; max-width: 100%; margin: 12px auto; }
 figure { margin: 0; }
 figure img { width: 100%; display: block; border-radius: 4px; background: #000; }
 figcaption { margin: 5px 0 10px; line-height: 1.4; }
+ul.headlines { font-size: 16px; padding-left: 20px; }
 details { margin-top: 10px; }
 summary { cursor: pointer; color: #0072b2; }
 @media print { body { background: #fff; } section { break-inside: avoid; } }

@@ -56,10 +56,11 @@ class Session:
         if self._plugin_version is None:
             raise BenchError(f"plugin {plugin}: ParaView did not load it")
         self._plugin = plugin
+        self._gl, self._labels = _probe()
 
     def context(self) -> Context:
         """Return what the figures depend on beside the study."""
-        gl = _gl_information()
+        gl = self._gl
         return Context(
             date=datetime.now(timezone.utc).isoformat(timespec="seconds"),
             host=platform.node() or None,
@@ -85,7 +86,7 @@ class Session:
         report: Any,
     ) -> list[Record]:
         """Measure the runs of one scene through the benchmark filter."""
-        return run_engine(self._study, volume, function, runs, report)
+        return run_engine(self._study, volume, function, runs, self._labels, report)
 
     def run_view(
         self,
@@ -104,13 +105,18 @@ class Session:
             stage.close()
 
 
-def _gl_information() -> Any:
-    information = servermanager.vtkPVOpenGLInformation()
+def _probe() -> tuple[Any, list[str]]:
+    """Return the OpenGL information and the representation labels, from a view that is deleted."""
     view = simple.CreateRenderView()
+    source = simple.Wavelet(WholeExtent=[0, 1, 0, 1, 0, 1])
+    display = simple.Show(source, view, "UniformGridRepresentation")
     view.SMProxy.StillRender()
-    information.CopyFromObject(None)
-    simple.Delete(view)
-    return information
+    gl = servermanager.vtkPVOpenGLInformation()
+    gl.CopyFromObject(None)
+    labels = list(display.GetProperty("Representation").Available)
+    for proxy in (display, source, view):
+        simple.Delete(proxy)
+    return gl, labels
 
 
 def _loaded_version() -> str | None:

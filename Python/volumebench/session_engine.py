@@ -7,7 +7,7 @@ from typing import Any
 from paraview import servermanager, simple
 
 from .errors import BenchError
-from .results import FAILED, Record, record_of, values_of_row
+from .results import FAILED, UNSUPPORTED, Record, record_of, values_of_row
 from .session_support import ErrorLog, producer_of
 from .study import Run, Study
 from .techniques import TECHNIQUES
@@ -22,9 +22,35 @@ def run_engine(
     volume: OpenVolume,
     function: TransferFunction,
     runs: list[Run],
+    labels: list[str],
     report: Callable[[float], None],
 ) -> list[Record]:
-    """Execute the filter once for all runs and return one record per run, in their order."""
+    """Measure the runs that this build has a technique for; return one record per run."""
+    present = [run for run in runs if _is_present(run, labels)]
+    measured = _execute(study, volume, function, present, report) if present else {}
+    return [measured.get(run) or _absent(run, volume) for run in runs]
+
+
+def _is_present(run: Run, labels: list[str]) -> bool:
+    technique = TECHNIQUES[run.technique]
+    return technique.peer or technique.representation in labels
+
+
+def _absent(run: Run, volume: OpenVolume) -> Record:
+    label = TECHNIQUES[run.technique].representation
+    reason = f'no representation "{label}" in this build'
+    outcome = {"status": UNSUPPORTED, "reason": reason}
+    return record_of(run, volume.dims, volume.scalar_type, **outcome)
+
+
+def _execute(
+    study: Study,
+    volume: OpenVolume,
+    function: TransferFunction,
+    runs: list[Run],
+    report: Callable[[float], None],
+) -> dict[Run, Record]:
+    """Execute the filter once for all runs, so that it can measure them in turns."""
     maker = getattr(servermanager.filters, FILTER_PROXY, None)
     if maker is None:
         raise BenchError(f"the plugin has no filter {FILTER_PROXY}")
@@ -40,7 +66,7 @@ def run_engine(
             bench.UpdatePipeline()
         rows = _rows(inner.GetOutputDataObject(0))
         reason = log.text() or "the filter returned no row for this run"
-        return [_record(run, volume, rows, reason) for run in runs]
+        return {run: _record(run, volume, rows, reason) for run in runs}
     finally:
         del bench
         simple.Delete(producer)

@@ -83,6 +83,28 @@ def _lines_of_path(rows: list[Record]) -> list[Line]:
     return result
 
 
+def headlines(records: list[Record]) -> list[str]:
+    """Return one sentence per path: the speed-ups of the fastest technique in each scene."""
+    best: dict[tuple[str, str], dict[Scene, float]] = {}
+    for line in lines(records):
+        factor = line.speed_up()
+        if line.matched and factor and not is_peer(line.record):
+            key = (line.record.path, line.peer.technique)
+            scene = line.record.run().scene
+            factors = best.setdefault(key, {})
+            factors[scene] = max(factors.get(scene, 0.0), factor)
+    return [
+        f"{path}: {_range_text(list(factors.values()))} the frame rate of "
+        f"{TECHNIQUES[peer].title}, at equal or smaller error"
+        for (path, peer), factors in best.items()
+    ]
+
+
+def _range_text(factors: list[float]) -> str:
+    low, high = f"{min(factors):.1f}", f"{max(factors):.1f}"
+    return f"{low} times" if low == high else f"{low} to {high} times"
+
+
 def unfinished(records: list[Record]) -> list[Record]:
     """Return the rows that hold no measurement."""
     return [record for record in records if record.status != OK]
@@ -125,6 +147,7 @@ def text_table(records: list[Record]) -> str:
     ]
     if any(row[-1].endswith("*") for row in rows):
         text.append("* not at equal error: no run was as accurate as the peer's")
+    text.extend(headlines(records))
     text.extend(f"{item.status}: {item.text()}" for item in missing_groups(records))
     return "\n".join(text)
 

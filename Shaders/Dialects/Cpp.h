@@ -1,5 +1,5 @@
 // C++17 on GLM, for float and double. Included inside a namespace that has defined the type `real`;
-// see Reference/KernelInstance.h. The field and the table are functions of the host program.
+// see Testing/Support/KernelInstance.h. The field and the table are functions of the host program.
 using vec2 = glm::vec<2, real>;
 using vec3 = glm::vec<3, real>;
 using vec4 = glm::vec<4, real>;
@@ -12,17 +12,6 @@ using glm::min;
 using glm::normalize;
 using glm::pow;
 using std::fabs;
-#undef FUNC
-#undef STRUCT
-#undef SCENE_PARAM
-#undef SCENE
-#undef REAL
-#undef TO_REAL
-#undef TO_INT
-#undef VEC3
-#undef VEC4
-#undef SCENE_BLOCK_BEGIN
-#undef SCENE_BLOCK_END
 #define FUNC inline
 #define STRUCT(name) struct name
 #define SCENE_PARAM const BackendScene &scene,

@@ -13,7 +13,7 @@ from volumebench.progress import Progress, bar_line
 from volumebench.results import read_results
 from volumebench.runner import Runner, find_inputs, prepare_folder
 from volumebench.study import Timing
-from volumebench.summary import lines, text_table
+from volumebench.summary import headlines, lines, text_table
 
 
 @pytest.fixture
@@ -92,6 +92,14 @@ def test_summary_compares_at_equal_error(calm, tmp_path):
     assert ours.matched
     assert ours.speed_up() == pytest.approx(241.5 / 86.5)
     assert view[0].speed_up() is None
+
+
+def test_headline_of_each_path(calm, tmp_path):
+    """Fake times: engine has no errors, so it has no fair speed-up and no headline."""
+    runner, _ = run_study(calm, tmp_path)
+    found = headlines(runner.records)
+    assert [text.partition(":")[0] for text in found] == ["view", "interactive"]
+    assert "2.8 times the frame rate of ParaView Volume" in found[0]
 
 
 def test_summary_marks_what_is_not_at_equal_error(calm, tmp_path):

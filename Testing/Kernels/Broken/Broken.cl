@@ -1,0 +1,3 @@
+#include "Dialects/OpenCl.h"
+#include "Shared/RayCast.h"
+#include "Broken/Undeclared.h"

@@ -1,0 +1,3 @@
+#include "Dialects/Cuda.h"
+#include "Shared/RayCast.h"
+#include "Broken/Undeclared.h"

@@ -1,0 +1,57 @@
+// Instantiates the shared kernel text as C++ in a namespace of its own, for one number type and one
+// set of features. It has no include guard: include it once for each instance that is needed.
+//
+//   #define KERNEL_NAMESPACE midpoint64
+//   #define KERNEL_REAL double
+//   #define WITH_MIDPOINT 1
+//   #include "KernelInstance.h"
+//
+// gives midpoint64::SceneBlock, BackendScene, Ray, castRay, integrate and the rest of Shared/. The
+// preprocessor reads a feature that is not defined as 0. All macros are gone after the include.
+#include <glm/glm.hpp>
+
+#include <cmath>
+#include <functional>
+
+#if !defined(KERNEL_NAMESPACE) || !defined(KERNEL_REAL)
+#error "KernelInstance.h needs KERNEL_NAMESPACE and KERNEL_REAL"
+#endif
+
+// A feature that is left out leaves its arguments unused.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-parameter"
+
+namespace KERNEL_NAMESPACE
+{
+using real = KERNEL_REAL;
+
+#include "Dialects/Cpp.h"
+#include "Shared/RayCast.h"
+}
+
+#pragma GCC diagnostic pop
+
+#undef FUNC
+#undef STRUCT
+#undef SCENE_PARAM
+#undef SCENE
+#undef REAL
+#undef TO_REAL
+#undef TO_INT
+#undef VEC3
+#undef VEC4
+#undef SCENE_BLOCK_BEGIN
+#undef SCENE_BLOCK_END
+#undef LIGHT_LIMIT
+
+// Every feature of Scene/Features.cxx; the Kernels tests notice one that is missing here.
+#undef WITH_MIDPOINT
+#undef WITH_TERMINATION
+#undef WITH_OPAQUE_DEPTH
+#undef WITH_CROP
+#undef WITH_BLANKING
+#undef WITH_LIGHTING
+#undef WITH_RASTERISED_SETUP
+
+#undef KERNEL_NAMESPACE
+#undef KERNEL_REAL
