@@ -83,8 +83,9 @@ struct vtkVolumeBenchMapper::Internals
     {
       throw volumebench::UnsupportedError("technique '" + this->TechniqueId + "' cannot run here: " + reason);
     }
-    const int largestTable = volumebench::ReadGlLimits().Texture;
-    const volumebench::Scene scene = this->Builder.Build(mapper, renderer, volume, largestTable);
+    const volumebench::RenderTarget target{ volumebench::ReadGlViewport(window),
+      volumebench::ReadGlLimits().Texture };
+    const volumebench::Scene scene = this->Builder.Build(mapper, renderer, volume, target);
     this->Technique->Prepare(scene, window);
     this->Technique->Render(scene, window);
   }

@@ -24,7 +24,7 @@ TEST(KernelSpecializer, ExpandsIncludesAndNumbersLines)
   const auto lookup =
     LookupIn({ { "main.frag", "one\n  # include \"Shared/a.h\"\nthree\n" }, { "Shared/a.h", "A\n" } });
   const KernelText text = SpecializeKernel("main.frag", "#version 330", lookup);
-  EXPECT_EQ(text.Source, "#version 330\n#line 1 0\none\n#line 1 1\nA\n#line 3 0\nthree\n");
+  EXPECT_EQ(text.Source, "#version 330\n#line 1 0\none\n#line 100001 1\nA\n#line 3 0\nthree\n");
   EXPECT_EQ(text.Files, (std::vector<std::string>{ "main.frag", "Shared/a.h" }));
 }
 
@@ -32,7 +32,7 @@ TEST(KernelSpecializer, IncludesTheSameFileTwice)
 {
   const auto lookup = LookupIn({ { "m", "#include \"a\"\n#include \"a\"\n" }, { "a", "x\n" } });
   const KernelText text = SpecializeKernel("m", "", lookup);
-  EXPECT_EQ(text.Source, "#line 1 0\n#line 1 1\nx\n#line 2 0\n#line 1 1\nx\n#line 3 0\n");
+  EXPECT_EQ(text.Source, "#line 1 0\n#line 100001 1\nx\n#line 2 0\n#line 100001 1\nx\n#line 3 0\n");
 }
 
 TEST(KernelSpecializer, LeavesOtherLinesAlone)
@@ -64,10 +64,12 @@ TEST(KernelSpecializer, RefusesFilesThatIncludeEachOther)
 TEST(KernelSpecializer, NamesFilesInCompilerLogs)
 {
   const std::vector<std::string> files{ "SinglePass.frag", "Shared/Ray.h" };
-  EXPECT_EQ(NameFilesInLog("1:14(3): error: no\n", files), "Shared/Ray.h:14(3): error: no\n");
+  EXPECT_EQ(NameFilesInLog("1:100014(3): error: no\n", files), "Shared/Ray.h:14(3): error: no\n");
   EXPECT_EQ(NameFilesInLog("0(7) : error C0000\n", files), "SinglePass.frag:7 : error C0000\n");
-  EXPECT_EQ(NameFilesInLog("ERROR: 1:2: 'x'\n", files), "Shared/Ray.h:2: 'x'\n");
-  EXPECT_EQ(NameFilesInLog("9:14(3): error\n", files), "9:14(3): error\n");
+  EXPECT_EQ(NameFilesInLog("ERROR: 1:100002: 'x'\n", files), "Shared/Ray.h:2: 'x'\n");
+  // As Mesa says it, which forgets the file number.
+  EXPECT_EQ(NameFilesInLog("0:100014(3): error: no\n", files), "Shared/Ray.h:14(3): error: no\n");
+  EXPECT_EQ(NameFilesInLog("9:900014(3): error\n", files), "9:900014(3): error\n");
 }
 
 TEST(KernelSpecializer, FindsTheEmbeddedKernels)

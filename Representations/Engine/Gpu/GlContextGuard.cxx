@@ -70,4 +70,11 @@ GlLimits ReadGlLimits()
   glGetIntegerv(GL_MAX_TEXTURE_SIZE, &limits.Texture);
   return limits;
 }
+
+glm::ivec4 ReadGlViewport(vtkOpenGLRenderWindow* window)
+{
+  int viewport[4] = {};
+  window->GetState()->vtkglGetIntegerv(GL_VIEWPORT, viewport);
+  return { viewport[0], viewport[1], viewport[2], viewport[3] };
+}
 }

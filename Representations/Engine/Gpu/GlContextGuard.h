@@ -3,6 +3,8 @@
 #ifndef volumebench_GlContextGuard_h
 #define volumebench_GlContextGuard_h
 
+#include <glm/vec4.hpp>
+
 #include <memory>
 
 class vtkOpenGLRenderWindow;
@@ -22,14 +24,18 @@ private:
   std::unique_ptr<Saved> State;
 };
 
-/// Largest GL_MAX_3D_TEXTURE_SIZE and GL_MAX_TEXTURE_SIZE of the current context.
 struct GlLimits
 {
-  int Texture3d = 0;
-  int Texture = 0;
+  int Texture3d = 0; // GL_MAX_3D_TEXTURE_SIZE
+  int Texture = 0;   // GL_MAX_TEXTURE_SIZE
 };
 
+/// Limits of the current context.
 GlLimits ReadGlLimits();
+
+/// The viewport in force (x, y, width, height): that of the renderer, or of the framebuffer that a
+/// render pass draws it into.
+glm::ivec4 ReadGlViewport(vtkOpenGLRenderWindow* window);
 }
 
 #endif

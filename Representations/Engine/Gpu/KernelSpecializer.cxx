@@ -60,7 +60,8 @@ private:
 
   void EmitLine(int line, std::size_t file)
   {
-    this->Text.Source += "#line " + std::to_string(line) + " " + std::to_string(file) + "\n";
+    const std::size_t number = file * LinesPerFile + line;
+    this->Text.Source += "#line " + std::to_string(number) + " " + std::to_string(file) + "\n";
   }
 
   std::size_t NumberOf(const std::string& path)
@@ -105,10 +106,11 @@ std::string NameFilesInLog(const std::string& log, const std::vector<std::string
     std::smatch match;
     if (std::regex_search(line, match, place))
     {
-      const std::size_t number = std::stoul(match[2]);
-      if (number < files.size())
+      const std::size_t number = std::stoul(match[3]);
+      const std::size_t file = number / LinesPerFile;
+      if (file < files.size())
       {
-        line = files[number] + ":" + match[3].str() + match.suffix().str();
+        line = files[file] + ":" + std::to_string(number % LinesPerFile) + match.suffix().str();
       }
     }
     result += line + "\n";

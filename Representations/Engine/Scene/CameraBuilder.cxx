@@ -52,7 +52,7 @@ Light BuildLight(vtkLight* light)
 }
 }
 
-Camera BuildCamera(vtkRenderer* renderer)
+Camera BuildCamera(vtkRenderer* renderer, const glm::ivec4& viewport)
 {
   vtkCamera* source = renderer->GetActiveCamera();
   Camera camera;
@@ -62,8 +62,7 @@ Camera BuildCamera(vtkRenderer* renderer)
   camera.Parallel = source->GetParallelProjection() != 0;
   camera.NearDepth = source->GetClippingRange()[0];
   camera.FarDepth = source->GetClippingRange()[1];
-  glm::ivec4& viewport = camera.Viewport;
-  renderer->GetTiledSizeAndOrigin(&viewport.z, &viewport.w, &viewport.x, &viewport.y);
+  camera.Viewport = viewport;
   return camera;
 }
 

@@ -9,8 +9,8 @@ class vtkVolumeProperty;
 
 namespace volumebench
 {
-/// The camera as the renderer uses it now, tiled viewports included.
-Camera BuildCamera(vtkRenderer* renderer);
+/// The camera as the renderer uses it now; `viewport` is where its picture goes, in pixels.
+Camera BuildCamera(vtkRenderer* renderer, const glm::ivec4& viewport);
 
 /// Shading parameters and the lights that are switched on. Throws SceneError above LightLimit lights.
 Lighting BuildLighting(vtkRenderer* renderer, vtkVolumeProperty* property);

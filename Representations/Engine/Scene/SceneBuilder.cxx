@@ -91,8 +91,8 @@ void RefuseUnsupported(vtkVolumeBenchMapper* mapper, vtkVolumeProperty* property
 }
 }
 
-Scene SceneBuilder::Build(
-  vtkVolumeBenchMapper* mapper, vtkRenderer* renderer, vtkVolume* volume, int largestTable)
+Scene SceneBuilder::Build(vtkVolumeBenchMapper* mapper, vtkRenderer* renderer, vtkVolume* volume,
+  const RenderTarget& target)
 {
   Scene scene;
   vtkImageData* image = ImageOf(mapper);
@@ -110,11 +110,12 @@ Scene SceneBuilder::Build(
   if (stamp != this->FunctionStamp)
   {
     this->FunctionStamp = 0;
-    this->Function = BuildTransferFunction(property, scene.Volume.FiniteRange, largestTable);
+    this->Function =
+      BuildTransferFunction(property, scene.Volume.FiniteRange, target.LargestTable);
     this->FunctionStamp = stamp;
   }
   scene.TransferFunction = this->Function;
-  scene.Camera = BuildCamera(renderer);
+  scene.Camera = BuildCamera(renderer, target.Viewport);
   scene.Lighting = BuildLighting(renderer, property);
   scene.Clip = BuildClip(mapper, renderer);
   return scene;

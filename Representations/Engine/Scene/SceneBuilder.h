@@ -14,13 +14,19 @@ class vtkVolumeBenchMapper;
 
 namespace volumebench
 {
+/// What a scene has to know of the place that its picture goes to.
+struct RenderTarget
+{
+  glm::ivec4 Viewport{ 0 }; // x, y, width, height in pixels
+  int LargestTable = 0;     // entries of the longest table that the device takes
+};
+
 class VOLUMEBENCHENGINE_EXPORT SceneBuilder
 {
 public:
-  /// Throws SceneError for input that cannot be drawn. `largestTable` is the longest table that
-  /// the graphics context takes.
-  Scene Build(
-    vtkVolumeBenchMapper* mapper, vtkRenderer* renderer, vtkVolume* volume, int largestTable);
+  /// Throws SceneError for input that cannot be drawn.
+  Scene Build(vtkVolumeBenchMapper* mapper, vtkRenderer* renderer, vtkVolume* volume,
+    const RenderTarget& target);
 
 private:
   VolumeBuilder Volumes;

@@ -1,0 +1,161 @@
+// Lost contexts, changed windows, changed data, and a GL state that is left as found.
+#include "EveryTechnique.h"
+
+#include "ImageError.h"
+
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtk_glew.h"
+
+using namespace volumebench;
+using namespace volumebench::test;
+
+namespace
+{
+double Bumpy(double i, double j, double k)
+{
+  return 2.0 + std::sin(0.9 * i + 0.4 * j) + std::cos(0.7 * k);
+}
+
+vtkSmartPointer<vtkVolumeProperty> BumpyProperty()
+{
+  return MakeLinearExtinctionProperty(0.1, 0.0, 4.0);
+}
+
+std::vector<GLint> ReadState()
+{
+  std::vector<GLint> state;
+  for (const GLenum name : { GL_BLEND, GL_DEPTH_TEST, GL_CULL_FACE, GL_SCISSOR_TEST,
+         GL_DEPTH_CLAMP, GL_STENCIL_TEST })
+  {
+    state.push_back(glIsEnabled(name));
+  }
+  for (const GLenum name : { GL_BLEND_SRC_RGB, GL_BLEND_DST_RGB, GL_BLEND_SRC_ALPHA,
+         GL_BLEND_DST_ALPHA, GL_DEPTH_WRITEMASK, GL_CULL_FACE_MODE, GL_ACTIVE_TEXTURE,
+         GL_CURRENT_PROGRAM, GL_VERTEX_ARRAY_BINDING, GL_UNIFORM_BUFFER_BINDING,
+         GL_DRAW_FRAMEBUFFER_BINDING, GL_READ_FRAMEBUFFER_BINDING, GL_UNPACK_ALIGNMENT,
+         GL_UNPACK_ROW_LENGTH, GL_TEXTURE_BINDING_3D, GL_TEXTURE_BINDING_2D,
+         GL_TEXTURE_BINDING_1D })
+  {
+    GLint value = 0;
+    glGetIntegerv(name, &value);
+    state.push_back(value);
+  }
+  GLint scissor[4];
+  glGetIntegerv(GL_SCISSOR_BOX, scissor);
+  state.insert(state.end(), scissor, scissor + 4);
+  return state;
+}
+
+// Compares the GL state before and after the mapper draws, from inside the frame.
+class StateChecker : public vtkVolumeBenchMapper
+{
+public:
+  static StateChecker* New();
+  std::vector<GLint> Before;
+  std::vector<GLint> After;
+  GLenum Error = GL_NO_ERROR;
+
+  void Render(vtkRenderer* renderer, vtkVolume* volume) override
+  {
+    this->Before = ReadState();
+    this->vtkVolumeBenchMapper::Render(renderer, volume);
+    this->After = ReadState();
+    this->Error = glGetError();
+  }
+};
+vtkStandardNewMacro(StateChecker);
+}
+
+class Windows : public EveryTechnique
+{
+};
+
+TEST_P(Windows, GlStateIsLeftAsFound)
+{
+  for (const int setUp : { 0, 1 })
+  {
+    RenderScene scene(GetParam(), MakeImage(12, 10, 8, Bumpy), BumpyProperty());
+    vtkNew<StateChecker> mapper;
+    mapper->SetTechnique(GetParam().c_str());
+    mapper->SetRaySetUp(setUp);
+    mapper->SetInputData(MakeImage(12, 10, 8, Bumpy));
+    scene.Volume->SetMapper(mapper);
+    scene.Window->Render();
+    ASSERT_FALSE(mapper->Before.empty());
+    EXPECT_EQ(mapper->Before, mapper->After);
+    EXPECT_EQ(mapper->Error, static_cast<GLenum>(GL_NO_ERROR));
+  }
+}
+
+TEST_P(Windows, ContextLossIsSurvived)
+{
+  RenderScene scene(GetParam(), MakeImage(12, 10, 8, Bumpy), BumpyProperty());
+  const FloatPicture before = scene.Picture();
+  scene.Window->Finalize();
+  const FloatPicture after = scene.Picture();
+  EXPECT_EQ(before.Pixels, after.Pixels);
+}
+
+TEST_P(Windows, MapperMovesToAnotherWindow)
+{
+  RenderScene first(GetParam(), MakeImage(12, 10, 8, Bumpy), BumpyProperty());
+  const FloatPicture before = first.Picture();
+  RenderScene second(GetParam(), MakeImage(3, 3, 3, Bumpy), BumpyProperty());
+  second.Volume->SetMapper(first.Mapper);
+  second.Renderer->SetActiveCamera(first.Renderer->GetActiveCamera());
+  const FloatPicture there = second.Picture();
+  const FloatPicture back = first.Picture();
+  EXPECT_EQ(before.Pixels, there.Pixels);
+  EXPECT_EQ(before.Pixels, back.Pixels);
+}
+
+TEST_P(Windows, MapperOutlivesItsWindow)
+{
+  vtkNew<vtkVolumeBenchMapper> mapper;
+  FloatPicture before;
+  auto image = MakeImage(12, 10, 8, Bumpy);
+  for (int window = 0; window < 2; ++window)
+  {
+    RenderScene scene(GetParam(), image, BumpyProperty());
+    mapper->SetTechnique(GetParam().c_str());
+    mapper->SetInputData(image);
+    scene.Volume->SetMapper(mapper);
+    const FloatPicture picture = scene.Picture();
+    if (window > 0)
+    {
+      EXPECT_EQ(before.Pixels, picture.Pixels);
+    }
+    before = picture;
+  }
+}
+
+TEST_P(Windows, ChangedDataAndFunctionsAreDrawn)
+{
+  auto image = MakeImage(5, 5, 5, [](double, double, double) { return 1.0; });
+  auto property = MakeLinearExtinctionProperty(0.1, 0.0, 4.0);
+  RenderScene scene(GetParam(), image, property);
+  const double box[6] = { 0, 4, 0, 4, 0, 4 };
+  const double length = RayOfPixel(scene.Renderer, box, 32, 32, RenderScene::Size).Length();
+  const auto depth = [&] { return -std::log1p(-PixelAt(scene.Picture(), 32, 32).Alpha); };
+  EXPECT_NEAR(depth(), 0.1 * length, 1e-4);
+  image->GetPointData()->GetScalars()->Fill(3.0);
+  image->GetPointData()->GetScalars()->Modified();
+  EXPECT_NEAR(depth(), 0.3 * length, 1e-4);
+  property->SetScalarOpacityUnitDistance(2.0);
+  EXPECT_NEAR(depth(), 0.15 * length, 1e-4);
+  property->GetScalarOpacity()->RemoveAllPoints();
+  property->GetScalarOpacity()->AddPoint(0.0, 0.0);
+  property->GetScalarOpacity()->AddPoint(4.0, 0.0);
+  EXPECT_EQ(PixelAt(scene.Picture(), 32, 32).Alpha, 0.0f);
+}
+
+TEST_P(Windows, MultisampledWindowsStopAtOpaqueGeometryToo)
+{
+  RenderScene scene(GetParam(), MakeImage(9, 9, 9, Bumpy), MakeConstantProperty(0.3));
+  scene.Window->SetMultiSamples(4);
+  scene.Window->Render();
+  EXPECT_EQ(scene.Mapper->GetFailure(), "");
+}
+
+VOLUMEBENCH_FOR_EVERY_TECHNIQUE(Windows);

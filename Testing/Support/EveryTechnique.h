@@ -1,0 +1,38 @@
+// A fixture whose tests run once for each technique that this machine supports.
+#ifndef volumebench_EveryTechnique_h
+#define volumebench_EveryTechnique_h
+
+#include "RenderScene.h"
+#include "Techniques/TechniqueTable.h"
+
+#include <gtest/gtest.h>
+
+namespace volumebench::test
+{
+inline std::vector<std::string> AllTechniques()
+{
+  std::vector<std::string> ids;
+  for (const TechniqueRow& row : TechniqueTable())
+  {
+    ids.emplace_back(row.Id);
+  }
+  return ids;
+}
+
+inline std::string TestNameOf(const ::testing::TestParamInfo<std::string>& info)
+{
+  std::string name = info.param;
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+}
+
+class EveryTechnique : public ::testing::TestWithParam<std::string>
+{
+};
+}
+
+#define VOLUMEBENCH_FOR_EVERY_TECHNIQUE(Suite)                                                     \
+  INSTANTIATE_TEST_SUITE_P(Techniques, Suite,                                                      \
+    ::testing::ValuesIn(volumebench::test::AllTechniques()), volumebench::test::TestNameOf)
+
+#endif
