@@ -63,7 +63,10 @@ Contestant::Contestant(const std::string& id, const ContestantInput& input)
     input.CellArray ? VTK_SCALAR_MODE_USE_CELL_FIELD_DATA : VTK_SCALAR_MODE_USE_POINT_FIELD_DATA);
   mapper->SelectScalarArray(input.ArrayName.c_str());
   this->Volume->SetMapper(mapper);
-  this->Volume->SetProperty(input.Property);
+  // A copy each: mappers may watch or touch what they are given.
+  vtkNew<vtkVolumeProperty> property;
+  property->DeepCopy(input.Property);
+  this->Volume->SetProperty(property);
   this->Volume->SetVisibility(false);
 }
 

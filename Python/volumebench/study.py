@@ -108,7 +108,7 @@ class Study:
     camera: Camera = field(default_factory=Camera)
     timing: Timing = field(default_factory=Timing)
     error: ErrorSettings = field(default_factory=ErrorSettings)
-    termination_threshold: float = 0.002
+    termination_threshold: float = 0.001
     ray_set_up: str = "Box"
     folder: Path | None = None
 

@@ -66,7 +66,8 @@ public:
   ///@{
   /**
    * A ray stops when less than this share of light would still get through; 0 switches early
-   * termination off. In [0, 1); default 0.002, half a step of an 8-bit picture.
+   * termination off. In [0, 1); default 0.001, a quarter of a step of an 8-bit
+   * picture.
    */
   vtkSetMacro(TerminationThreshold, double);
   vtkGetMacro(TerminationThreshold, double);
@@ -123,7 +124,7 @@ protected:
   std::string Technique = "single-pass";
   int Integrator = 1;
   double StepVoxels = 0.5;
-  double TerminationThreshold = 0.002;
+  double TerminationThreshold = 0.001;
   int RaySetUp = 1;
   int VectorMode = Component;
   int VectorComponent = 0;

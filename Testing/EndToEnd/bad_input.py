@@ -37,8 +37,7 @@ def view_of(image: Any) -> tuple[Any, Any, Any]:
 
 
 def expect_refusal(view: Any, cause: str, what: str) -> None:
-    """Check that nothing is drawn, that one error says why, and that it is said once."""
-    ERRORS.take()
+    """Check that nothing is drawn, and that one error since the last look says why."""
     picture = capture(view)
     capture(view)
     messages = ERRORS.take()
@@ -91,6 +90,7 @@ def check_single_point() -> None:
     view, source, display = view_of(image_data(blob()[:1, :1, :1], "point"))
     color_by(display, view, "point")
     expect_refusal(view, "one point thick", "a single point")
+    display.ScalarOpacityUnitDistance = 1.0  # ParaView took 0 from the size of the point
     expect_recovery(view, source, display)
 
 
@@ -99,9 +99,7 @@ def check_no_scalars() -> None:
     image.GetPointData().RemoveArray(0)
     view, source, display = view_of(image)
     look(view)
-    check_empty(capture(view), "no scalars")
-    messages = ERRORS.take()
-    assert len(messages) <= 1, messages
+    expect_refusal(view, "no scalars", "no scalars")
     expect_recovery(view, source, display)
 
 
@@ -139,9 +137,9 @@ def check_no_finite_value() -> None:
         simple.ColorBy(display, ("POINTS", "values"))
         display.SetScalarBarVisibility(view, False)
         look(view)
-        ERRORS.take()
         expect_refusal(view, "no finite value", f"{value} everywhere")
         expect_recovery(view, source, display)
+        simple.ResetSession()
 
 
 def check_some_values_not_finite() -> None:

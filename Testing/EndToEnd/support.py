@@ -12,10 +12,11 @@ from typing import Any
 
 import numpy as np
 from paraview import servermanager, simple
-from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.util.vtkConstants import VTK_STRING
 from vtkmodules.vtkCommonCore import vtkOutputWindow
 from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkIOImage import vtkPNGReader
 
 PLUGIN = os.environ["VOLUMEBENCH_PLUGIN"]
 LABEL = os.environ.get("VOLUMEBENCH_LABEL", "Volume Single Pass")
@@ -113,12 +114,8 @@ def capture(view: Any) -> np.ndarray:
     return values.reshape(height, width, 4)[::-1].copy()
 
 
-def screenshot(view: Any, path: Path, size: Sequence[int] = SIZE) -> np.ndarray:
-    """Save what ParaView shows, as PNG, and return its RGB values in 0..1."""
-    from vtkmodules.util.numpy_support import vtk_to_numpy
-    from vtkmodules.vtkIOImage import vtkPNGReader
-
-    simple.SaveScreenshot(str(path), view, ImageResolution=list(size))
+def read_png(path: Path) -> np.ndarray:
+    """Return a picture's RGB values in 0..1, row 0 on top."""
     reader = vtkPNGReader()
     reader.SetFileName(str(path))
     reader.Update()

@@ -87,7 +87,8 @@ TEST_P(BrokenKernels, AreRejectedByFileAndLine)
 }
 
 INSTANTIATE_TEST_SUITE_P(Every, BrokenKernels,
-  testing::Values("Broken/Broken.frag", "Broken/Broken.cl", "Broken/Broken.cu", "Broken/Broken.cxx"),
+  testing::Values(
+    "Broken/Broken.frag", "Broken/Broken.cl", "Broken/Broken.cu", "Broken/Broken.cxx"),
   CaseName);
 
 TEST(KernelInstance, UndefinesEveryFeature)

@@ -25,7 +25,9 @@ def main() -> None:
     with tempfile.TemporaryDirectory(prefix="volumebench-recipe-") as folder:
         tree, build = Path(folder) / "source", Path(folder) / "build"
         copy_source(arguments.source, tree)
-        steps = recipe.read_steps((tree / "CONTRIBUTING.md").read_text(encoding="utf-8"))
+        steps = recipe.read_steps(
+            (tree / "CONTRIBUTING.md").read_text(encoding="utf-8")
+        )
         check_edits(steps, tree)
         build_plugin(arguments.cmake, tree, build)
         show(arguments.pvpython, tree, build / PLUGIN, *recipe.id_and_label(steps))
@@ -45,7 +47,16 @@ def check_edits(steps: list[recipe.Step], tree: Path) -> None:
 
 def build_plugin(cmake: str, tree: Path, build: Path) -> None:
     """Configure and build without optimisation, which would take minutes; warnings are errors."""
-    configure = [cmake, "-S", str(tree), "-B", str(build), "-G", "Ninja", "-Wno-deprecated"]
+    configure = [
+        cmake,
+        "-S",
+        str(tree),
+        "-B",
+        str(build),
+        "-G",
+        "Ninja",
+        "-Wno-deprecated",
+    ]
     settings = {
         "CMAKE_BUILD_TYPE": "Release",
         "CMAKE_CXX_FLAGS_RELEASE": "-O0 -DNDEBUG",
@@ -69,19 +80,28 @@ def show(pvpython: str, tree: Path, plugin: Path, technique: str, label: str) ->
         "PYTHONPATH": str(tree / "Testing" / "EndToEnd"),
     }
     script = str(tree / "Testing" / "Recipe" / "new_technique.py")
-    run(["timeout", "--kill-after=10", str(SHOW_SECONDS), pvpython, script],
-        SHOW_SECONDS + 15, environment)
+    limit = ["timeout", "--kill-after=10", str(SHOW_SECONDS)]
+    print(run([*limit, pvpython, script], SHOW_SECONDS + 15, environment))
 
 
-def run(words: list[str], seconds: int, environment: dict[str, str] | None = None) -> None:
-    """Run a program; print what it said only if it fails, since a build says much."""
+def run(
+    words: list[str], seconds: int, environment: dict[str, str] | None = None
+) -> str:
+    """Run a program and return what it said; if it fails, print that and end."""
     finished = subprocess.run(
-        words, timeout=seconds, env=environment, text=True, errors="replace",
-        stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+        words,
+        timeout=seconds,
+        env=environment,
+        text=True,
+        errors="replace",
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
     )
     if finished.returncode:
         print(finished.stdout[-20000:])
-        sys.exit(f"{' '.join(words[:3])} ... ended with {finished.returncode}")
+        sys.exit(f"{' '.join(words[:4])} ... ended with {finished.returncode}")
+    return finished.stdout
 
 
 if __name__ == "__main__":

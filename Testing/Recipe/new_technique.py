@@ -3,7 +3,16 @@
 import os
 
 from paraview import servermanager
-from support import LABEL, capture, check_not_empty, look, new_view, run_checks, show, wavelet
+from support import (
+    LABEL,
+    capture,
+    check_not_empty,
+    look,
+    new_view,
+    run_checks,
+    show,
+    wavelet,
+)
 
 TECHNIQUE = os.environ["VOLUMEBENCH_TECHNIQUE"]
 
@@ -32,7 +41,10 @@ def check_benchmark_measures() -> None:
     bench.UpdatePipeline()
     table = bench.GetClientSideObject().GetOutputDataObject(0)
     assert table.GetNumberOfRows() == 1, f"{table.GetNumberOfRows()} rows"
-    row = {name: table.GetValueByName(0, name).ToString() for name in ("technique", "status")}
+    row = {
+        name: table.GetValueByName(0, name).ToString()
+        for name in ("technique", "status")
+    }
     assert row == {"technique": TECHNIQUE, "status": "ok"}, row
 
 

@@ -6,7 +6,9 @@ from pathlib import Path
 
 HEADING = "## Add a technique\n"
 _STEP = re.compile(r"^`(?P<file>[^`\s]+)`\n\n?```\w*\n(?P<text>.*?)^```$", re.M | re.S)
-_ROW = re.compile(r'volumebench_technique\((?P<id>\S+) CLASS \w+ LABEL "(?P<label>[^"]+)"\)')
+_ROW = re.compile(
+    r'volumebench_technique\((?P<id>\S+) CLASS \w+ LABEL "(?P<label>[^"]+)"\)'
+)
 
 
 @dataclass(frozen=True)
