@@ -1,7 +1,7 @@
 """Runs inside ParaView, started by make_screenshot.sh: shows the MRI with a technique of ours.
 
 Environment: VOLUMEBENCH_PLUGIN, the plugin's absolute path; VOLUMEBENCH_READY, a file to make
-when the picture stands; VOLUMEBENCH_LABEL, the representation (default "Volume Single Pass").
+when the picture stands; VOLUMEBENCH_SOURCE, the repository; VOLUMEBENCH_VOLUME, a .nii file; VOLUMEBENCH_LABEL, the representation (default "Volume Single Pass").
 """
 
 import json
@@ -12,8 +12,8 @@ from paraview import simple
 
 LIBRARIES = Path("/usr/lib/x86_64-linux-gnu/paraview-5.11/plugins")
 READER = LIBRARIES / "AnalyzeNIfTIReaderWriter" / "AnalyzeNIfTIReaderWriter.so"
-MRI_FILE = "/usr/share/mricron/templates/ch2.nii.gz"
 FUNCTION = Path(os.environ["VOLUMEBENCH_SOURCE"]) / "Data/TransferFunctions/mri-translucent.json"
+VOLUME = os.environ["VOLUMEBENCH_VOLUME"]
 LABEL = os.environ.get("VOLUMEBENCH_LABEL", "Volume Single Pass")
 
 
@@ -21,7 +21,8 @@ def show_volume() -> None:
     names = vars(simple)
     for plugin in (str(READER), os.environ["VOLUMEBENCH_PLUGIN"]):
         simple.LoadPlugin(plugin, remote=False, ns=names)
-    source = simple.OpenDataFile(MRI_FILE)
+    source = simple.OpenDataFile(VOLUME)
+    simple.RenameSource(Path(VOLUME).stem, source)
     source.UpdatePipeline()
     view = simple.GetActiveViewOrCreate("RenderView")
     display = simple.Show(source, view, "UniformGridRepresentation")
@@ -53,7 +54,8 @@ def look(view) -> None:
     camera.SetPosition(focus[0] + 1, focus[1] + 1.2, focus[2] + 0.3)
     camera.SetViewUp(0, 0, 1)
     simple.ResetCamera(view)
-    camera.Zoom(1.25)
+    view.CameraFocalPoint = [focus[0], focus[1], focus[2] - 22]
+    camera.Zoom(1.2)
     simple.Render(view)
 
 

@@ -19,6 +19,23 @@ namespace
 // What ParaView's own representation asks of VTK for a still picture.
 constexpr double ParaViewStepVoxels = 0.5;
 
+// Each contestant has a property of its own: reading the gradient opacity, as DeepCopy and VTK's
+// fixed-point mapper do, creates one, and VTK's GPU mapper then samples six more times per step.
+vtkSmartPointer<vtkVolumeProperty> CopyOf(vtkVolumeProperty* source)
+{
+  auto copy = vtkSmartPointer<vtkVolumeProperty>::New();
+  copy->SetColor(source->GetRGBTransferFunction());
+  copy->SetScalarOpacity(source->GetScalarOpacity());
+  copy->SetScalarOpacityUnitDistance(source->GetScalarOpacityUnitDistance());
+  copy->SetShade(source->GetShade());
+  copy->SetAmbient(source->GetAmbient());
+  copy->SetDiffuse(source->GetDiffuse());
+  copy->SetSpecular(source->GetSpecular());
+  copy->SetSpecularPower(source->GetSpecularPower());
+  copy->SetInterpolationType(source->GetInterpolationType());
+  return copy;
+}
+
 double MeanSpacing(vtkImageData* image)
 {
   const double* spacing = image->GetSpacing();
@@ -63,10 +80,7 @@ Contestant::Contestant(const std::string& id, const ContestantInput& input)
     input.CellArray ? VTK_SCALAR_MODE_USE_CELL_FIELD_DATA : VTK_SCALAR_MODE_USE_POINT_FIELD_DATA);
   mapper->SelectScalarArray(input.ArrayName.c_str());
   this->Volume->SetMapper(mapper);
-  // A copy each: mappers may watch or touch what they are given.
-  vtkNew<vtkVolumeProperty> property;
-  property->DeepCopy(input.Property);
-  this->Volume->SetProperty(property);
+  this->Volume->SetProperty(CopyOf(input.Property));
   this->Volume->SetVisibility(false);
 }
 

@@ -182,9 +182,10 @@ def check_settings_take_effect() -> None:
     display.Integrator = "Left"
     check_differs(before, capture(view), "Integrator", 1e-4)
     display.Integrator = "Midpoint"
+    threshold = display.TerminationThreshold
     display.TerminationThreshold = 0.3
     check_differs(before, capture(view), "TerminationThreshold")
-    display.TerminationThreshold = 0.002
+    display.TerminationThreshold = threshold
 
     assert display.RaySetUp == "Rasterised"
     display.RaySetUp = "Box"

@@ -155,7 +155,7 @@ def test_resume_refuses_other_settings(tmp_path, study):
     check_same_settings(tmp_path, study.settings())
     check_same_settings(tmp_path, study.only(["slices"]).settings())
     other = replace(study, termination_threshold=0.5)
-    with pytest.raises(BenchError, match='"termination_threshold" was 0.002'):
+    with pytest.raises(BenchError, match='"termination_threshold" was 0.001'):
         check_same_settings(tmp_path, other.settings())
     with pytest.raises(BenchError, match="settings.json is missing"):
         check_same_settings(tmp_path / "elsewhere", study.settings())

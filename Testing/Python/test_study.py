@@ -50,7 +50,7 @@ def test_order_of_runs_follows_the_study(study):
 def test_defaults(study):
     assert study.camera.elevation_degrees == 20
     assert study.error.reference_step_voxels == 0.03125
-    assert study.termination_threshold == 0.002
+    assert study.termination_threshold == 0.001
     assert study.ray_set_up == "Box"
 
 
