@@ -12,7 +12,10 @@ from paraview import simple
 
 LIBRARIES = Path("/usr/lib/x86_64-linux-gnu/paraview-5.11/plugins")
 READER = LIBRARIES / "AnalyzeNIfTIReaderWriter" / "AnalyzeNIfTIReaderWriter.so"
-FUNCTION = Path(os.environ["VOLUMEBENCH_SOURCE"]) / "Data/TransferFunctions/mri-translucent.json"
+FUNCTION = (
+    Path(os.environ["VOLUMEBENCH_SOURCE"])
+    / "Data/TransferFunctions/mri-translucent.json"
+)
 VOLUME = os.environ["VOLUMEBENCH_VOLUME"]
 LABEL = os.environ.get("VOLUMEBENCH_LABEL", "Volume Single Pass")
 

@@ -88,8 +88,7 @@ vtkSmartPointer<vtkVolumeMapper> Contestant::MakePeer(const ContestantInput& inp
 {
   if (input.Components > 1)
   {
-    this->Unsupported =
-      "peer '" + this->Id + "' is measured on arrays with one component only";
+    this->Unsupported = "peer '" + this->Id + "' is measured on arrays with one component only";
   }
   const double sampleDistance = ParaViewStepVoxels * MeanSpacing(input.Image);
   this->PeerStepVoxels = ParaViewStepVoxels;

@@ -16,7 +16,7 @@ namespace volumebench
 {
 namespace
 {
-constexpr int FramesPerBlock = 3;  // short, so that slow runs are interleaved too
+constexpr int FramesPerBlock = 3;   // short, so that slow runs are interleaved too
 constexpr unsigned Seed = 20260101; // fixed: the order of runs is part of the method
 constexpr int ReferenceShrink = 4;  // the reference is checked on a picture this much smaller
 constexpr const char* ReferenceTechnique = "single-pass";
@@ -126,10 +126,7 @@ private:
     return run.Result.Status != "ok";
   }
 
-  bool IsOver(const Run& run) const
-  {
-    return run.Result.Status != "ok" || run.Rule.IsFinished();
-  }
+  bool IsOver(const Run& run) const { return run.Result.Status != "ok" || run.Rule.IsFinished(); }
 
   int ErrorFrame(int view) const
   {
@@ -150,8 +147,7 @@ private:
     {
       done += this->IsOver(run) ? 1.0 : run.Rule.Progress();
     }
-    this->Aborted =
-      this->Aborted || !this->Report(done / static_cast<double>(this->Runs.size()));
+    this->Aborted = this->Aborted || !this->Report(done / static_cast<double>(this->Runs.size()));
     return !this->Aborted;
   }
 
@@ -321,7 +317,8 @@ private:
 
 void CheckSettings(const ExperimentSettings& settings)
 {
-  const auto refuse = [](bool wrong, const std::string& message) {
+  const auto refuse = [](bool wrong, const std::string& message)
+  {
     if (wrong)
     {
       throw std::runtime_error(message);

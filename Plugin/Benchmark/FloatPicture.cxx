@@ -60,17 +60,16 @@ protected:
   ~FloatPass() override = default;
 
 private:
-  void RenderInto(const vtkRenderState* state, vtkOpenGLRenderWindow* window)
+  void AllocateTargets(
+    vtkOpenGLRenderWindow* window, vtkTextureObject* color, vtkTextureObject* depth) const
   {
     const int width = this->Picture.Width;
     const int height = this->Picture.Height;
-    vtkNew<vtkTextureObject> color;
     color->SetContext(window);
     color->SetInternalFormat(GL_RGBA32F);
     color->SetFormat(GL_RGBA);
     color->SetDataType(GL_FLOAT);
     color->Allocate2D(width, height, 4, VTK_FLOAT);
-    vtkNew<vtkTextureObject> depth;
     depth->SetContext(window);
     // VTK's own mappers copy the depth by a blit, which wants the format of the window's buffer.
     if (window->GetStencilCapable())
@@ -81,7 +80,15 @@ private:
     {
       depth->AllocateDepth(width, height, vtkTextureObject::Fixed24);
     }
+  }
 
+  void RenderInto(const vtkRenderState* state, vtkOpenGLRenderWindow* window)
+  {
+    const int width = this->Picture.Width;
+    const int height = this->Picture.Height;
+    vtkNew<vtkTextureObject> color;
+    vtkNew<vtkTextureObject> depth;
+    this->AllocateTargets(window, color, depth);
     vtkNew<vtkOpenGLFramebufferObject> framebuffer;
     framebuffer->SetContext(window);
     framebuffer->Bind();

@@ -20,7 +20,8 @@ CameraPose OrbitPose(int frame, const OrbitSettings& settings, const double boun
     const double half = 0.5 * bounds[2 * axis + 1] - 0.5 * bounds[2 * axis];
     squares += half * half;
   }
-  const double distance = std::sqrt(squares) / std::sin(0.5 * ViewAngleDegrees * Pi / 180.0) / settings.Zoom;
+  const double distance =
+    std::sqrt(squares) / std::sin(0.5 * ViewAngleDegrees * Pi / 180.0) / settings.Zoom;
   pose.Position[0] = pose.FocalPoint[0] + distance * std::cos(elevation) * std::sin(azimuth);
   pose.Position[1] = pose.FocalPoint[1] + distance * std::sin(elevation);
   pose.Position[2] = pose.FocalPoint[2] + distance * std::cos(elevation) * std::cos(azimuth);

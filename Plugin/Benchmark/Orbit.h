@@ -30,8 +30,8 @@ struct OrbitSettings
 VOLUMEBENCHBENCHMARK_EXPORT CameraPose OrbitPose(
   int frame, const OrbitSettings& settings, const double bounds[6]);
 
-/// Frames of a block: `size` frames spread evenly over the turn, so that a run which stops after any
-/// number of blocks has seen all sides; successive blocks fill the gaps.
+/// Frames of a block: `size` frames spread evenly over the turn, so that a run which stops after
+/// any number of blocks has seen all sides; successive blocks fill the gaps.
 VOLUMEBENCHBENCHMARK_EXPORT std::vector<int> BlockFrames(int block, int size, int framesPerTurn);
 }
 

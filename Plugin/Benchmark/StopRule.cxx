@@ -32,6 +32,7 @@ double StopRule::Progress() const
 {
   const double limit =
     this->Settings.DurationS > 0.0 ? this->Settings.DurationS : this->Settings.TimeLimitS;
-  return this->IsFinished() || !(limit > 0.0) ? 1.0 : std::min(1.0, 0.001 * this->ElapsedMs / limit);
+  return this->IsFinished() || !(limit > 0.0) ? 1.0
+                                              : std::min(1.0, 0.001 * this->ElapsedMs / limit);
 }
 }

@@ -60,8 +60,8 @@ void CheckAscending(const std::vector<double>& points, int stride, const char* w
 
 vtkVolumeBenchmark::vtkVolumeBenchmark()
 {
-  this->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS,
-    vtkDataSetAttributes::SCALARS);
+  this->SetInputArrayToProcess(
+    0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS, vtkDataSetAttributes::SCALARS);
 }
 
 vtkVolumeBenchmark::~vtkVolumeBenchmark() = default;
@@ -153,7 +153,7 @@ int vtkVolumeBenchmark::RequestData(
   return 1;
 }
 
-void vtkVolumeBenchmark::Measure(vtkImageData* image, vtkTable* table)
+volumebench::ExperimentSettings vtkVolumeBenchmark::MakeSettings() const
 {
   volumebench::ExperimentSettings settings;
   settings.Techniques = this->Techniques;
@@ -177,9 +177,15 @@ void vtkVolumeBenchmark::Measure(vtkImageData* image, vtkTable* table)
   volumebench::CheckSettings(settings);
   if (this->CameraPath != "orbit-y")
   {
-    throw std::runtime_error("there is no camera path '" + this->CameraPath + "'; known is orbit-y");
+    throw std::runtime_error(
+      "there is no camera path '" + this->CameraPath + "'; known is orbit-y");
   }
+  return settings;
+}
 
+void vtkVolumeBenchmark::Measure(vtkImageData* image, vtkTable* table)
+{
+  const volumebench::ExperimentSettings settings = this->MakeSettings();
   bool onCells = false;
   vtkDataArray* scalars = this->ChooseArray(image, onCells);
   vtkNew<vtkVolumeProperty> property;
@@ -198,10 +204,12 @@ void vtkVolumeBenchmark::Measure(vtkImageData* image, vtkTable* table)
       VTK_GET_ARRAY_BY_NAME, -1, input.ArrayName.c_str() },
     this->VectorMode == 0 ? -1 : this->VectorComponent, false, nullptr);
 
-  const auto results = volumebench::RunExperiment(settings, input, [this](double share) {
-    this->UpdateProgress(share);
-    return this->GetAbortExecute() == 0;
-  });
+  const auto results = volumebench::RunExperiment(settings, input,
+    [this](double share)
+    {
+      this->UpdateProgress(share);
+      return this->GetAbortExecute() == 0;
+    });
   volumebench::FillResultTable(results, settings, this->CameraPath, table);
 }
 

@@ -24,6 +24,11 @@ class vtkDataArray;
 class vtkImageData;
 class vtkVolumeProperty;
 
+namespace volumebench
+{
+struct ExperimentSettings;
+}
+
 class VOLUMEBENCHBENCHMARK_EXPORT vtkVolumeBenchmark : public vtkTableAlgorithm
 {
 public:
@@ -159,6 +164,7 @@ private:
   vtkVolumeBenchmark(const vtkVolumeBenchmark&) = delete;
   void operator=(const vtkVolumeBenchmark&) = delete;
 
+  volumebench::ExperimentSettings MakeSettings() const;
   void Measure(vtkImageData* image, vtkTable* table);
   vtkDataArray* ChooseArray(vtkImageData* image, bool& onCells);
   void FillProperty(vtkImageData* image, vtkDataArray* scalars, vtkVolumeProperty* property);

@@ -24,7 +24,8 @@ struct vtkVolumeBenchMapper::Internals
   std::string Failure;
   bool Unsupported = false;
 
-  // GPU objects go with the context that made them: deleted while it lives, dropped when it is gone.
+  // GPU objects go with the context that made them: deleted while it lives, dropped when it is
+  // gone.
   void ReleaseGpu()
   {
     if (this->Technique)
@@ -81,7 +82,8 @@ struct vtkVolumeBenchMapper::Internals
     const std::string reason = this->Technique->WhyUnsupported(window);
     if (!reason.empty())
     {
-      throw volumebench::UnsupportedError("technique '" + this->TechniqueId + "' cannot run here: " + reason);
+      throw volumebench::UnsupportedError(
+        "technique '" + this->TechniqueId + "' cannot run here: " + reason);
     }
     const volumebench::RenderTarget target{ volumebench::ReadGlViewport(window),
       volumebench::ReadGlLimits().Texture };

@@ -57,7 +57,8 @@ public:
   ///@{
   /**
    * Length of a step in voxel edges, measured in the grid's index space, so that every ray samples
-   * the grid equally densely however stretched its spacing is. Must be at least 1/1024; default 0.5.
+   * the grid equally densely however stretched its spacing is. Must be at least 1/1024; default
+   * 0.5.
    */
   vtkSetMacro(StepVoxels, double);
   vtkGetMacro(StepVoxels, double);
@@ -102,7 +103,8 @@ public:
   const std::string& GetFailure() const;
 
   /**
-   * Whether the last failure was the machine's (no such API, too old a context) and not the scene's.
+   * Whether the last failure was the machine's (no such API, too old a context) and not the
+   * scene's.
    */
   bool GetUnsupported() const;
 

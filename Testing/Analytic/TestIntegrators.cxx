@@ -11,7 +11,8 @@ namespace
 {
 constexpr double Red = 0.75; // of every medium with one colour
 
-// What one instance of the kernel returns for extinction tau(t) and red colour c(t) on [begin, end].
+// What one instance of the kernel returns for extinction tau(t) and red colour c(t) on [begin,
+// end].
 #define VOLUMEBENCH_INSTANCE(name, space)                                                          \
   struct name                                                                                      \
   {                                                                                                \
@@ -25,9 +26,8 @@ constexpr double Red = 0.75; // of every medium with one colour
       scene.sampling = space::vec4(Real(step), Real(stopAt), 0, 0);                                \
       scene.classification = space::vec4(1, 0, 0, 0);                                              \
       scene.field = [](space::vec3 position) { return position.x; };                               \
-      scene.table = [&](Real value) {                                                              \
-        return space::vec4(Real(color(value)), 0, 0, Real(tau(value)));                            \
-      };                                                                                           \
+      scene.table = [&](Real value)                                                                \
+      { return space::vec4(Real(color(value)), 0, 0, Real(tau(value))); };                         \
       const space::vec3 along(1, 0, 0);                                                            \
       const space::Ray ray = { space::vec3(0), along, space::vec3(0), along, Real(1) };            \
       return space::integrate(scene, ray, { Real(begin), Real(end) });                             \
@@ -100,8 +100,7 @@ TYPED_TEST(EveryIntegrator, HomogeneousSlabIsExactForAnyStep)
     // Steps that divide the length, do not divide it, and exceed it.
     for (const double step : { 0.125, 0.3, 0.7, 1.5, 10.0 })
     {
-      const auto result =
-        TypeParam::Integrate(Constant(tau), Constant(Red), 0.25, 2.25, step);
+      const auto result = TypeParam::Integrate(Constant(tau), Constant(Red), 0.25, 2.25, step);
       const double opacity = -std::expm1(-2.0 * tau);
       EXPECT_NEAR(result.w, opacity, 1e-6) << "tau " << tau << " step " << step;
       EXPECT_NEAR(result.x, Red * opacity, 1e-6) << "tau " << tau << " step " << step;
@@ -201,14 +200,13 @@ TEST(Midpoint, LinearColourConvergesToItsClosedForm)
   const double k = 2.0;
   const double c0 = 0.2;
   const double c1 = 0.6;
-  const double exact =
-    c0 * -std::expm1(-k) + c1 * (1.0 / k - (1.0 + 1.0 / k) * std::exp(-k));
+  const double exact = c0 * -std::expm1(-k) + c1 * (1.0 / k - (1.0 + 1.0 / k) * std::exp(-k));
   const auto color = [=](double t) { return c0 + c1 * t; };
   double previous = 0.0;
   for (const int steps : { 8, 16, 32, 64 })
   {
-    const double error = std::abs(
-      MidpointDouble::Integrate(Constant(k), color, 0.0, 1.0, 1.0 / steps).x - exact);
+    const double error =
+      std::abs(MidpointDouble::Integrate(Constant(k), color, 0.0, 1.0, 1.0 / steps).x - exact);
     if (previous > 0.0)
     {
       EXPECT_NEAR(std::log2(previous / error), 2.0, 0.15);
@@ -221,8 +219,7 @@ TEST(Termination, CostsNoMoreThanTheThreshold)
 {
   for (const double threshold : { 0.1, 0.01, 0.001 })
   {
-    const auto full =
-      MidpointDouble::Integrate(Constant(8.0), SmoothColor, 0.0, 2.0, 0.01);
+    const auto full = MidpointDouble::Integrate(Constant(8.0), SmoothColor, 0.0, 2.0, 0.01);
     const auto stopped =
       TerminatingDouble::Integrate(Constant(8.0), SmoothColor, 0.0, 2.0, 0.01, 1.0 - threshold);
     EXPECT_GE(stopped.w, 1.0 - threshold);

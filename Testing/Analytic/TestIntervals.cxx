@@ -56,7 +56,8 @@ TEST(Interval, ObliqueRayHitsTheExactFaces)
 
 TEST(Interval, RaysAlongAFaceAreInsideOrOut)
 {
-  const auto length = [](double x) {
+  const auto length = [](double x)
+  {
     return LengthOf(
       clipping64::visibleInterval(MakeScene(), MakeRay(Vec3(x, 0, 0), Vec3(0, 0, 1)), 1.0));
   };
@@ -103,16 +104,14 @@ TEST(Interval, CropBoxCutsBothEnds)
   EXPECT_DOUBLE_EQ(interval.begin, -1.0);
   EXPECT_DOUBLE_EQ(interval.end, 1.0);
   scene.cropX = Vec4(0, 0, 0, 2); // empty
-  EXPECT_EQ(LengthOf(clipping64::visibleInterval(
-              scene, MakeRay(Vec3(0, 0, 0), Vec3(0, 0, 1)), 1.0)),
-    0.0);
+  EXPECT_EQ(
+    LengthOf(clipping64::visibleInterval(scene, MakeRay(Vec3(0, 0, 0), Vec3(0, 0, 1)), 1.0)), 0.0);
 }
 
 TEST(Interval, BoxOfNoThicknessIsEmpty)
 {
   BackendScene scene = MakeScene();
   scene.boxHalf.z = 0.0;
-  EXPECT_EQ(LengthOf(clipping64::visibleInterval(
-              scene, MakeRay(Vec3(0, 0, -5), Vec3(0, 0, 1)), 1.0)),
-    0.0);
+  EXPECT_EQ(
+    LengthOf(clipping64::visibleInterval(scene, MakeRay(Vec3(0, 0, -5), Vec3(0, 0, 1)), 1.0)), 0.0);
 }

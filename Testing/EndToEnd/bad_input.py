@@ -24,8 +24,9 @@ from support import (
     show,
     wavelet,
 )
+from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonCore import vtkStringArray
-from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkRectilinearGrid
 
 
 def view_of(image: Any) -> tuple[Any, Any, Any]:
@@ -90,7 +91,9 @@ def check_single_point() -> None:
     view, source, display = view_of(image_data(blob()[:1, :1, :1], "point"))
     color_by(display, view, "point")
     expect_refusal(view, "one point thick", "a single point")
-    display.ScalarOpacityUnitDistance = 1.0  # ParaView took 0 from the size of the point
+    display.ScalarOpacityUnitDistance = (
+        1.0  # ParaView took 0 from the size of the point
+    )
     expect_recovery(view, source, display)
 
 
@@ -161,7 +164,9 @@ def check_some_values_not_finite() -> None:
     far = ~near_voxels(view, (2, 6, 3, 7, 4, 7), before.shape[:2])
     assert 0.3 < far.mean() < 1, f"{far.mean():.2f} of the pixels are far"
     changed = np.abs(after - before).max(axis=2)
-    print(f"  far from the bad voxels: at most {changed[far].max()}, near: {changed.max()}")
+    print(
+        f"  far from the bad voxels: at most {changed[far].max()}, near: {changed.max()}"
+    )
     assert changed[far].max() == 0, "pixels far from the bad voxels changed"
     expect_recovery(view, source, display)
 
@@ -215,7 +220,9 @@ def check_odd_opacity_functions() -> None:
         picture = capture(view)
         assert np.isfinite(picture).all(), f"{name}: NaN in the picture"
         messages = ERRORS.take()
-        print(f"  {name}: mean alpha {picture[..., 3].mean():.3f}, {len(messages)} errors")
+        print(
+            f"  {name}: mean alpha {picture[..., 3].mean():.3f}, {len(messages)} errors"
+        )
         assert len(messages) <= 1, f"{name}: {messages}"
     opacity.Points = []
     picture = capture(view)
@@ -234,7 +241,11 @@ def check_settings_out_of_range() -> None:
     good = capture(view)
     for name, values, cause in (
         ("StepVoxels", (0.0, -1.0, 1e-9, float("nan"), float("inf")), "step"),
-        ("TerminationThreshold", (-0.1, 1.0, 2.0, float("nan")), "termination threshold"),
+        (
+            "TerminationThreshold",
+            (-0.1, 1.0, 2.0, float("nan")),
+            "termination threshold",
+        ),
         ("ScalarOpacityUnitDistance", (0.0, -1.0), "unit distance"),
     ):
         usable = display.GetProperty(name).GetData()
@@ -257,6 +268,29 @@ def check_blend_mode_that_we_lack() -> None:
     expect_refusal(view, "blend mode", "another blend mode")
     display.BlendMode = 0
     assert rmse(capture(view), good) == 0, "afterwards it differs"
+
+
+def check_several_blocks() -> None:
+    view = new_view()
+    display = show(simple.GroupDatasets(Input=[wavelet(4), wavelet(5)]), view)
+    color_by(display, view, "RTData")
+    look(view)
+    expect_refusal(view, "block", "several blocks")
+
+
+def check_rectilinear_grid() -> None:
+    grid = vtkRectilinearGrid()
+    grid.SetDimensions(4, 4, 4)
+    for place in (grid.SetXCoordinates, grid.SetYCoordinates, grid.SetZCoordinates):
+        place(numpy_to_vtk(np.array([0.0, 1.0, 3.0, 7.0]), deep=True))
+    array = numpy_to_vtk(np.arange(64.0), deep=True)
+    array.SetName("values")
+    grid.GetPointData().SetScalars(array)
+    view, source, display = view_of(grid)
+    color_by(display, view, "values")
+    look(view)
+    expect_refusal(view, "vtkRectilinearGrid", "a rectilinear grid")
+    expect_recovery(view, source, display)
 
 
 def check_grid_that_is_no_image() -> None:

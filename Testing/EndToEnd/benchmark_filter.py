@@ -61,7 +61,9 @@ def expect_rows(bench: Any, rows: int) -> Any:
     """Check for so many rows of finite numbers; return the table."""
     table = table_of(bench)
     assert not ERRORS.messages, ERRORS.take()
-    assert table.GetNumberOfRows() == rows, f"{table.GetNumberOfRows()} rows, not {rows}"
+    assert (
+        table.GetNumberOfRows() == rows
+    ), f"{table.GetNumberOfRows()} rows, not {rows}"
     for index in range(table.GetNumberOfColumns()):
         column = table.GetColumn(index)
         if isinstance(column, vtkDataArray):

@@ -41,7 +41,14 @@ MPI = ["mpirun", "--allow-run-as-root", "--oversubscribe", "-np", "2"]
 def check_two_ranks() -> None:
     with temporary_folder() as folder:
         write_volume(folder)
-        command = [*MPI, shutil.which("pvbatch"), "--sym", __file__, "scenes", str(folder)]
+        command = [
+            *MPI,
+            shutil.which("pvbatch"),
+            "--sym",
+            __file__,
+            "scenes",
+            str(folder),
+        ]
         run(command)
         compare(folder, "two ranks")
 
@@ -86,7 +93,10 @@ def draw(name: str, folder: Path, path: Path, remote: bool) -> None:
         colors = [37.0, 0.1, 0.2, 0.9, 150.0, 0.9, 0.8, 0.2, 277.0, 1.0, 0.3, 0.1]
         opacity = [(37, 0.0), (130, 0.2), (160, 0.02), (277, 0.5)]
     else:
-        source, array = simple.XMLImageDataReader(FileName=[str(folder / "volume.vti")]), "scalars"
+        source, array = (
+            simple.XMLImageDataReader(FileName=[str(folder / "volume.vti")]),
+            "scalars",
+        )
         colors = [0.0, 0.1, 0.2, 0.4, 120.0, 0.9, 0.5, 0.3, 255.0, 1.0, 1.0, 1.0]
         opacity = [(0, 0.0), (30, 0.0), (90, 0.02), (160, 0.1), (255, 0.3)]
     source.UpdatePipeline()
@@ -174,10 +184,14 @@ def server(launcher: list[str] | None = None) -> Iterator[int]:
             command, stdout=log, stderr=subprocess.STDOUT, env=first_environment()
         )
         try:
-            wait_for(lambda: "Accepting connection" in (folder / "log").read_text(), process)
+            wait_for(
+                lambda: "Accepting connection" in (folder / "log").read_text(), process
+            )
             yield port
             process.wait(timeout=30)
-            assert "ERR|" not in (folder / "log").read_text(), (folder / "log").read_text()
+            assert "ERR|" not in (folder / "log").read_text(), (
+                folder / "log"
+            ).read_text()
         finally:
             process.terminate()
             process.wait(timeout=30)

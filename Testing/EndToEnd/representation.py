@@ -63,7 +63,9 @@ def check_switching_there_and_back() -> None:
         display.SetRepresentationType(label)
         picture = capture(view)
         if label in pictures:
-            assert rmse(picture, pictures[label]) == 0, f"{label} differs after a switch"
+            assert (
+                rmse(picture, pictures[label]) == 0
+            ), f"{label} differs after a switch"
         pictures[label] = picture
     assert rmse(pictures["Volume"], volume) == 0, "Volume differs after a switch"
     check_differs(pictures["Surface"], pictures[LABEL], "Surface and ours")

@@ -1,5 +1,7 @@
 """What stands round the volume: geometry, cameras, transforms, cropping, several views."""
 
+from pathlib import Path
+
 import numpy as np
 from paraview import simple
 from support import (
@@ -18,11 +20,13 @@ from support import (
     new_view,
     not_drawn,
     producer,
+    read_png,
     replace_output,
     rmse,
     run_checks,
     set_functions,
     show,
+    temporary_folder,
     wavelet,
 )
 
@@ -38,7 +42,9 @@ def shown_wavelet(label: str = LABEL):
     return view, display
 
 
-def compare_with_volume(view, display, what: str, bound: float = SAME_AS_VOLUME) -> np.ndarray:
+def compare_with_volume(
+    view, display, what: str, bound: float = SAME_AS_VOLUME
+) -> np.ndarray:
     """Check our picture against that of ParaView's "Volume", and return ours."""
     ours = capture(view)
     display.SetRepresentationType("Volume")
@@ -56,7 +62,9 @@ def check_opaque_geometry() -> None:
     surface.ColorArrayName = [None, ""]
     surface.DiffuseColor = [0.2, 1.0, 0.2]
     simple.GetOpacityTransferFunction("RTData").Points = [
-        value for x, a in [(37, 0.0), (150, 0.02), (277, 0.3)] for value in (x, a, 0.5, 0)
+        value
+        for x, a in [(37, 0.0), (150, 0.02), (277, 0.3)]
+        for value in (x, a, 0.5, 0)
     ]
     inside = compare_with_volume(view, display, "sphere inside")
     check_differs(inside, alone, "the sphere")
@@ -70,23 +78,49 @@ def check_opaque_geometry() -> None:
     towards = np.subtract(camera.GetPosition(), camera.GetFocalPoint())
     towards /= np.linalg.norm(towards)
     sphere.Center = list(25 * towards)
-    check_differs(compare_with_volume(view, display, "sphere in front"), inside, "its place")
+    check_differs(
+        compare_with_volume(view, display, "sphere in front"), inside, "its place"
+    )
     front = capture(view)
     display.Visibility = 0
     only_sphere = capture(view)
     display.Visibility = 1
     middle = tuple(side // 2 for side in SIZE)
-    assert np.array_equal(front[middle], only_sphere[middle]), "the volume shows through"
+    assert np.array_equal(
+        front[middle], only_sphere[middle]
+    ), "the volume shows through"
     sphere.Center = list(-25 * towards)
     compare_with_volume(view, display, "sphere behind")
 
 
 def check_translucent_geometry() -> None:
     view, display = shown_wavelet()
-    alone = capture(view)
-    surface = simple.Show(simple.Sphere(Radius=12), view)
-    surface.Opacity = 0.3
-    check_differs(compare_with_volume(view, display, "translucent sphere"), alone, "the sphere")
+    with temporary_folder() as folder:
+        alone = screenshot(view, folder)
+        surface = simple.Show(simple.Sphere(Radius=12), view)
+        surface.ColorArrayName = [None, ""]
+        surface.Opacity = 0.3
+        ours = screenshot(view, folder)
+        check_differs(ours, alone, "the sphere")
+        display.SetRepresentationType("Volume")
+        check_close(ours, screenshot(view, folder), 0.05, "translucent sphere")
+
+
+def screenshot(view, folder: Path, size=SIZE) -> np.ndarray:
+    """Return the picture of ParaView's own passes: peeling, tiles and all."""
+    path = folder / "screenshot.png"
+    simple.SaveScreenshot(str(path), view, ImageResolution=list(size))
+    return read_png(path)
+
+
+def check_screenshot_larger_than_the_view() -> None:
+    view, display = shown_wavelet()
+    with temporary_folder() as folder:
+        ours = screenshot(view, folder, (510, 390))
+        display.SetRepresentationType("Volume")
+        check_close(
+            ours, screenshot(view, folder, (510, 390)), SAME_AS_VOLUME, "510 x 390"
+        )
 
 
 def check_camera_inside() -> None:
@@ -104,7 +138,9 @@ def check_parallel_projection() -> None:
     view, display = shown_wavelet()
     perspective = capture(view)
     view.CameraParallelProjection = 1
-    check_differs(compare_with_volume(view, display, "parallel"), perspective, "projection")
+    check_differs(
+        compare_with_volume(view, display, "parallel"), perspective, "projection"
+    )
 
 
 def check_transforms() -> None:
@@ -150,7 +186,9 @@ def check_cropping() -> None:
     cropped = compare_with_volume(view, display, "cropped", 0.05)
     check_differs(cropped, whole, "cropping")
     display.UseCropping = 0
-    assert rmse(capture(view), whole) == 0, "without cropping the picture is another one"
+    assert (
+        rmse(capture(view), whole) == 0
+    ), "without cropping the picture is another one"
 
     part = simple.ExtractSubset(Input=simple.GetActiveSource())
     part.VOI = [-2, 6, -8, 2, -5, 7]
@@ -176,11 +214,15 @@ def check_two_views() -> None:
     first = [capture(view) for view in views]
     for view, display, before, size in zip(views, displays, first, sizes):
         assert before.shape[:2] == size[::-1], f"{before.shape} instead of {size}"
-        assert np.array_equal(capture(view), before), "drawn again, the picture is another one"
+        assert np.array_equal(
+            capture(view), before
+        ), "drawn again, the picture is another one"
         compare_with_volume(view, display, f"view of {size[0]} x {size[1]}")
     displays[0].StepVoxels = 2
     check_differs(capture(views[0]), first[0], "StepVoxels in the first view")
-    assert np.array_equal(capture(views[1]), first[1]), "it changed in the other view too"
+    assert np.array_equal(
+        capture(views[1]), first[1]
+    ), "it changed in the other view too"
 
 
 def check_view_closed_and_opened() -> None:
@@ -215,7 +257,9 @@ def check_resized() -> None:
         view.ViewSize = list(size)
         picture = capture(view)
         assert picture.shape[:2] == size[::-1], f"{picture.shape} instead of {size}"
-    assert np.array_equal(picture, before), "back at its size, the picture is another one"
+    assert np.array_equal(
+        picture, before
+    ), "back at its size, the picture is another one"
     view.ViewSize = [201, 133]
     compare_with_volume(view, display, "201 x 133")
 
@@ -228,7 +272,9 @@ def check_new_data() -> None:
     look(view)
     before = capture(view)
     replace_output(source, image_data(np.ascontiguousarray(blob(24)[::-1])))
-    check_differs(compare_with_volume(view, display, "new values"), before, "the values")
+    check_differs(
+        compare_with_volume(view, display, "new values"), before, "the values"
+    )
     replace_output(source, image_data(blob(12), spacing=(2, 2, 2)))
     compare_with_volume(view, display, "new dimensions")
 
@@ -239,7 +285,9 @@ def check_scalar_types() -> None:
     for kind in ("f8", "f4", "u1", "i1", "u2", "i2", "u4", "i4", "i8", "u8"):
         low, high = (-1e9, 1e9) if kind[0] == "f" else _limits(kind)
         view = new_view()
-        display = show(producer(image_data((low + hill * (high - low)).astype(kind))), view)
+        display = show(
+            producer(image_data((low + hill * (high - low)).astype(kind))), view
+        )
         color_by(display, view, "values")
         look(view)
         pictures[kind] = capture(view)
@@ -257,7 +305,9 @@ def check_shading() -> None:
     display = show(producer(image_data(blob(32, 6))), view)
     color_by(display, view, "values")
     set_functions(
-        "values", [0, 0.2, 0.4, 1, 1, 1, 0.8, 0.2], [(0, 0), (0.3, 0), (0.5, 0.4), (1, 0.8)]
+        "values",
+        [0, 0.2, 0.4, 1, 1, 1, 0.8, 0.2],
+        [(0, 0), (0.3, 0), (0.5, 0.4), (1, 0.8)],
     )
     look(view)
     flat = capture(view)
@@ -265,7 +315,9 @@ def check_shading() -> None:
     shaded = compare_with_volume(view, display, "shaded", 0.1)
     check_differs(shaded, flat, "Shade", 0.01)
     display.Shade = 0
-    assert np.array_equal(capture(view), flat), "without Shade the picture is another one"
+    assert np.array_equal(
+        capture(view), flat
+    ), "without Shade the picture is another one"
 
 
 def check_picking_and_selection() -> None:

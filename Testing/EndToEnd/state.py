@@ -124,9 +124,9 @@ def the_display() -> Any:
 
 
 def compare(actual: np.ndarray, expected: np.ndarray) -> None:
-    assert np.array_equal(actual, expected), (
-        f"the picture is another one: RMSE {rmse(actual, expected)}"
-    )
+    assert np.array_equal(
+        actual, expected
+    ), f"the picture is another one: RMSE {rmse(actual, expected)}"
 
 
 if __name__ == "__main__":

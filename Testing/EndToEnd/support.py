@@ -269,7 +269,9 @@ def _passes(check: Callable[[], None]) -> bool:
             check()
             unclaimed = ERRORS.take()
             assert not unclaimed, "errors were reported: " + "\n".join(unclaimed)
-        except Exception:  # a test may fail in any way, and the next one shall still run
+        except (
+            Exception
+        ):  # a test may fail in any way, and the next one shall still run
             traceback.print_exc(file=sys.stdout)
             for message in ERRORS.take():
                 print("  reported:", message)

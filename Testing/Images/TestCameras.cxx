@@ -68,8 +68,9 @@ TEST_P(Cameras, TilesJoinToTheLargePicture)
   double worst = 0.0;
   for (vtkIdType i = 0; i < expected->GetNumberOfTuples(); ++i)
   {
-    worst = std::max(worst, std::abs(picture->GetPointData()->GetScalars()->GetComponent(i, 0) -
-                              expected->GetComponent(i, 0)));
+    worst = std::max(worst,
+      std::abs(
+        picture->GetPointData()->GetScalars()->GetComponent(i, 0) - expected->GetComponent(i, 0)));
   }
   EXPECT_LE(worst, 1.0);
 }

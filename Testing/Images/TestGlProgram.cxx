@@ -27,10 +27,7 @@ protected:
     this->Window->MakeCurrent();
   }
 
-  vtkOpenGLRenderWindow* GlWindow()
-  {
-    return vtkOpenGLRenderWindow::SafeDownCast(this->Window);
-  }
+  vtkOpenGLRenderWindow* GlWindow() { return vtkOpenGLRenderWindow::SafeDownCast(this->Window); }
 
   vtkNew<vtkRenderWindow> Window;
 };
@@ -70,8 +67,10 @@ void main() { numbers[gl_GlobalInvocationID.x] = gl_GlobalInvocationID.x * 3u; }
 
 TEST_F(GlContext, CompilerMessagesNameTheFileAndLine)
 {
-  const auto lookup = [](const std::string& path) {
-    return path == "Main.frag" ? "#include \"Shared/Part.h\"\nvoid main() {}\n" : "\n\nint x = nix;\n";
+  const auto lookup = [](const std::string& path)
+  {
+    return path == "Main.frag" ? "#include \"Shared/Part.h\"\nvoid main() {}\n"
+                               : "\n\nint x = nix;\n";
   };
   const KernelText broken = SpecializeKernel("Main.frag", "#version 330 core", lookup);
   GlProgram program;
@@ -82,8 +81,7 @@ TEST_F(GlContext, CompilerMessagesNameTheFileAndLine)
   }
   catch (const KernelError& error)
   {
-    EXPECT_NE(std::string(error.what()).find("Shared/Part.h:3"), std::string::npos)
-      << error.what();
+    EXPECT_NE(std::string(error.what()).find("Shared/Part.h:3"), std::string::npos) << error.what();
   }
   EXPECT_FALSE(program.IsBuilt());
 }

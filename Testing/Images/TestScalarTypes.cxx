@@ -79,9 +79,8 @@ TEST_P(ScalarTypes, LargeOffsetsAndRangesInDouble)
   for (const auto& [scale, offset] :
     { std::pair{ 1.0, 1.0e9 }, { 1.0e300, 0.0 }, { 1.0e-300, 0.0 } })
   {
-    const auto field = [scale = scale, offset = offset](double i, double j, double k) {
-      return offset + scale * Bumpy(i, j, k);
-    };
+    const auto field = [scale = scale, offset = offset](double i, double j, double k)
+    { return offset + scale * Bumpy(i, j, k); };
     auto property = vtkSmartPointer<vtkVolumeProperty>::New();
     property->DeepCopy(BumpyProperty());
     vtkNew<vtkPiecewiseFunction> opacity;
@@ -151,7 +150,8 @@ TEST_P(ScalarTypes, ComponentAndMagnitude)
 TEST_P(ScalarTypes, NonFiniteVoxelsAreBlankAndLeaveTheRestAlone)
 {
   const auto clean = [](double i, double j, double k) { return Bumpy(i, j, k); };
-  const auto dirty = [](double i, double j, double k) {
+  const auto dirty = [](double i, double j, double k)
+  {
     const bool corner = i == 0 && j == 0 && k == 0;
     return corner ? std::nan("") : (i == 1 && j == 0 && k == 0 ? INFINITY : Bumpy(i, j, k));
   };
@@ -180,7 +180,8 @@ TEST_P(ScalarTypes, NonFiniteVoxelsAreBlankAndLeaveTheRestAlone)
 
 TEST_P(ScalarTypes, ConstantScalars)
 {
-  auto image = MakeImage(4, 4, 4, [](double, double, double) { return 5.0; }, VTK_SHORT);
+  auto image = MakeImage(
+    4, 4, 4, [](double, double, double) { return 5.0; }, VTK_SHORT);
   RenderScene scene(GetParam(), image, MakeLinearExtinctionProperty(0.1, 0.0, 8.0));
   const double box[6] = { 0, 3, 0, 3, 0, 3 };
   const double length = RayOfPixel(scene.Renderer, box, 32, 32, RenderScene::Size).Length();

@@ -58,8 +58,7 @@ TEST_P(Surroundings, OpaqueGeometryHidesWhatIsBehind)
       const double length = RayOfPixel(scene.Renderer, front, i, 40, RenderScene::Size).Length();
       if (length > 1e-3)
       {
-        worst =
-          std::max(worst, std::abs(PixelAt(picture, i, 40).Red - -std::expm1(-Tau * length)));
+        worst = std::max(worst, std::abs(PixelAt(picture, i, 40).Red - -std::expm1(-Tau * length)));
       }
     }
     EXPECT_LE(worst, 1e-4) << "parallel " << parallel;
@@ -159,7 +158,8 @@ TEST_P(Surroundings, WhatCannotBeDrawnIsNamedAndTheNextGoodSettingDraws)
 {
   RenderScene scene(GetParam(), MakeImage(5, 5, 5, Zero), MakeConstantProperty(Tau));
   scene.Mapper->GlobalWarningDisplayOff();
-  const auto failure = [&] {
+  const auto failure = [&]
+  {
     scene.Picture();
     return scene.Mapper->GetFailure();
   };

@@ -62,8 +62,8 @@ public:
     double bounds[6];
     std::copy_n(this->Volume->GetBounds(), 6, bounds);
     vtkCamera* camera = this->Renderer->GetActiveCamera();
-    camera->SetFocalPoint(0.5 * (bounds[0] + bounds[1]), 0.5 * (bounds[2] + bounds[3]),
-      0.5 * (bounds[4] + bounds[5]));
+    camera->SetFocalPoint(
+      0.5 * (bounds[0] + bounds[1]), 0.5 * (bounds[2] + bounds[3]), 0.5 * (bounds[4] + bounds[5]));
     double focus[3];
     camera->GetFocalPoint(focus);
     camera->SetPosition(focus[0] + x, focus[1] + y, focus[2] + z);

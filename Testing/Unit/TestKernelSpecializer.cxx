@@ -10,7 +10,8 @@ namespace
 {
 KernelLookup LookupIn(const std::map<std::string, std::string>& files)
 {
-  return [files](const std::string& path) -> const char* {
+  return [files](const std::string& path) -> const char*
+  {
     static std::map<std::string, std::string> kept; // the pointers must outlive the call
     kept = files;
     const auto found = kept.find(path);
@@ -21,8 +22,8 @@ KernelLookup LookupIn(const std::map<std::string, std::string>& files)
 
 TEST(KernelSpecializer, ExpandsIncludesAndNumbersLines)
 {
-  const auto lookup =
-    LookupIn({ { "main.frag", "one\n  # include \"Shared/a.h\"\nthree\n" }, { "Shared/a.h", "A\n" } });
+  const auto lookup = LookupIn(
+    { { "main.frag", "one\n  # include \"Shared/a.h\"\nthree\n" }, { "Shared/a.h", "A\n" } });
   const KernelText text = SpecializeKernel("main.frag", "#version 330", lookup);
   EXPECT_EQ(text.Source, "#version 330\n#line 1 0\none\n#line 100001 1\nA\n#line 3 0\nthree\n");
   EXPECT_EQ(text.Files, (std::vector<std::string>{ "main.frag", "Shared/a.h" }));

@@ -37,8 +37,8 @@ glm::dvec3 Unproject(const Scene& scene, const glm::dvec2& pixel, double windowD
   const glm::ivec4& viewport = scene.Camera.Viewport;
   const glm::dvec4 device((pixel.x - viewport.x) * 2.0 / viewport.z - 1.0,
     (pixel.y - viewport.y) * 2.0 / viewport.w - 1.0, 2.0 * windowDepth - 1.0, 1.0);
-  const glm::dvec4 voxel = glm::inverse(scene.Camera.ViewToClip * scene.Camera.WorldToView *
-                             scene.Volume.VoxelToWorld) *
+  const glm::dvec4 voxel =
+    glm::inverse(scene.Camera.ViewToClip * scene.Camera.WorldToView * scene.Volume.VoxelToWorld) *
     device;
   return glm::dvec3(voxel) / voxel.w;
 }
@@ -88,9 +88,8 @@ TEST_P(PackSceneCameras, WindowDepthTurnsIntoViewDepth)
   for (const double windowDepth : { 0.0, 0.3, 0.9, 1.0 })
   {
     const double deviceZ = 2.0 * windowDepth - 1.0;
-    const double depth = GetParam()
-      ? (block.depthProjection.y - deviceZ) / block.depthProjection.x
-      : block.depthProjection.y / (deviceZ + block.depthProjection.x);
+    const double depth = GetParam() ? (block.depthProjection.y - deviceZ) / block.depthProjection.x
+                                    : block.depthProjection.y / (deviceZ + block.depthProjection.x);
     const double along =
       (depth - block.viewDepth.w) / glm::dot(glm::dvec3(block.viewDepth), ray.Direction);
     const glm::dvec3 point = ray.Origin + along * ray.Direction;

@@ -93,8 +93,8 @@ TEST(VolumeBuilder, DirectionAndActorMatricesApply)
 
 TEST(VolumeBuilder, SmallIntegersKeepTheirBits)
 {
-  for (const int type : { VTK_UNSIGNED_CHAR, VTK_SIGNED_CHAR, VTK_CHAR, VTK_SHORT,
-         VTK_UNSIGNED_SHORT })
+  for (const int type :
+    { VTK_UNSIGNED_CHAR, VTK_SIGNED_CHAR, VTK_CHAR, VTK_SHORT, VTK_UNSIGNED_SHORT })
   {
     const Volume volume = Build(MakeImage(3, 3, 3, Index, type));
     EXPECT_EQ(volume.Format, TexelFormat::Unsigned16) << type;
@@ -127,9 +127,9 @@ TEST(VolumeBuilder, TheLargestDoublesDoNotOverflow)
 
 TEST(VolumeBuilder, NonFiniteVoxelsAreFlaggedAndOutOfTheRange)
 {
-  auto image = MakeImage(4, 2, 2, [](double i, double j, double) {
-    return i == 1 && j == 0 ? std::nan("") : (i == 2 && j == 1 ? INFINITY : i);
-  });
+  auto image = MakeImage(4, 2, 2,
+    [](double i, double j, double)
+    { return i == 1 && j == 0 ? std::nan("") : (i == 2 && j == 1 ? INFINITY : i); });
   const Volume volume = Build(image);
   EXPECT_TRUE(volume.HasNonFinite);
   EXPECT_EQ(volume.FiniteRange[1], 3.0);
@@ -157,8 +157,8 @@ TEST(VolumeBuilder, NamesWhatCannotBeDrawn)
 {
   vtkNew<vtkImageData> empty;
   EXPECT_NE(FailureOf(empty).find("the image is empty"), std::string::npos);
-  EXPECT_NE(FailureOf(MakeImage(4, 1, 4, Index)).find("one point thick (4 x 1 x 4"),
-    std::string::npos);
+  EXPECT_NE(
+    FailureOf(MakeImage(4, 1, 4, Index)).find("one point thick (4 x 1 x 4"), std::string::npos);
   EXPECT_NE(FailureOf(MakeImage(2, 2, 2, Index),
               { VTK_SCALAR_MODE_USE_POINT_FIELD_DATA, VTK_GET_ARRAY_BY_NAME, -1, "none" })
               .find("no array 'none'"),
@@ -171,9 +171,9 @@ TEST(VolumeBuilder, NamesWhatCannotBeDrawn)
   words->SetName("words");
   words->SetNumberOfValues(8);
   image->GetPointData()->AddArray(words);
-  EXPECT_NE(FailureOf(image,
-              { VTK_SCALAR_MODE_USE_POINT_FIELD_DATA, VTK_GET_ARRAY_BY_NAME, -1, "words" })
-              .find("'words' holds string values"),
+  EXPECT_NE(
+    FailureOf(image, { VTK_SCALAR_MODE_USE_POINT_FIELD_DATA, VTK_GET_ARRAY_BY_NAME, -1, "words" })
+      .find("'words' holds string values"),
     std::string::npos);
 }
 

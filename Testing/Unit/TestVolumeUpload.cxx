@@ -18,7 +18,8 @@ namespace
 Volume Build(vtkImageData* image)
 {
   return VolumeBuilder().Build(image,
-    { VTK_SCALAR_MODE_USE_POINT_FIELD_DATA, VTK_GET_ARRAY_BY_NAME, -1, "field" }, 0, false, nullptr);
+    { VTK_SCALAR_MODE_USE_POINT_FIELD_DATA, VTK_GET_ARRAY_BY_NAME, -1, "field" }, 0, false,
+    nullptr);
 }
 
 template <typename T>
@@ -45,8 +46,8 @@ TEST(VolumeUpload, EightBitValuesFillTheSixteenBits)
 
 TEST(VolumeUpload, SignedValuesAreShifted)
 {
-  auto image =
-    MakeImage(2, 2, 2, [](double i, double, double) { return i ? 32767 : -32768; }, VTK_SHORT);
+  auto image = MakeImage(
+    2, 2, 2, [](double i, double, double) { return i ? 32767 : -32768; }, VTK_SHORT);
   const auto texels = Texels<std::uint16_t>(Build(image), 0, 1);
   EXPECT_EQ(texels[0], 0);
   EXPECT_EQ(texels[1], 65535);
@@ -54,8 +55,8 @@ TEST(VolumeUpload, SignedValuesAreShifted)
 
 TEST(VolumeUpload, SlabsJoinToTheWhole)
 {
-  const Volume volume = Build(
-    MakeImage(3, 4, 5, [](double i, double j, double k) { return i * i + 10 * j - k; }));
+  const Volume volume =
+    Build(MakeImage(3, 4, 5, [](double i, double j, double k) { return i * i + 10 * j - k; }));
   const auto whole = Texels<float>(volume, 0, 5);
   std::vector<float> joined;
   for (int slice = 0; slice < 5; ++slice)
@@ -68,8 +69,8 @@ TEST(VolumeUpload, SlabsJoinToTheWhole)
 
 TEST(VolumeUpload, NonFiniteValuesDoNotReachTheTexture)
 {
-  const Volume volume = Build(
-    MakeImage(3, 2, 2, [](double i, double, double) { return i == 1 ? std::nan("") : i; }));
+  const Volume volume =
+    Build(MakeImage(3, 2, 2, [](double i, double, double) { return i == 1 ? std::nan("") : i; }));
   for (const float texel : Texels<float>(volume, 0, 2))
   {
     EXPECT_TRUE(std::isfinite(texel));
@@ -78,9 +79,8 @@ TEST(VolumeUpload, NonFiniteValuesDoNotReachTheTexture)
 
 TEST(VolumeUpload, BlankingGridMarksTheEightCellsOfATexel)
 {
-  const Volume volume = Build(MakeImage(4, 4, 4, [](double i, double j, double k) {
-    return i == 1 && j == 2 && k == 3 ? std::nan("") : i;
-  }));
+  const Volume volume = Build(MakeImage(4, 4, 4,
+    [](double i, double j, double k) { return i == 1 && j == 2 && k == 3 ? std::nan("") : i; }));
   const auto grid = BlankingGrid(volume);
   ASSERT_EQ(grid.size(), 125u);
   EXPECT_EQ(std::accumulate(grid.begin(), grid.end(), 0), 8);

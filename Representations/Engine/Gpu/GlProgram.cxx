@@ -25,18 +25,18 @@ std::string ShaderLog(GLuint shader)
 {
   GLint length = 0;
   glGetShaderiv(shader, GL_INFO_LOG_LENGTH, &length);
-  std::string log(length > 0 ? length : 1, '\0');
+  std::vector<char> log(length > 0 ? length : 1, '\0');
   glGetShaderInfoLog(shader, static_cast<GLsizei>(log.size()), nullptr, log.data());
-  return log.c_str();
+  return log.data();
 }
 
 std::string ProgramLog(GLuint program)
 {
   GLint length = 0;
   glGetProgramiv(program, GL_INFO_LOG_LENGTH, &length);
-  std::string log(length > 0 ? length : 1, '\0');
+  std::vector<char> log(length > 0 ? length : 1, '\0');
   glGetProgramInfoLog(program, static_cast<GLsizei>(log.size()), nullptr, log.data());
-  return log.c_str();
+  return log.data();
 }
 
 GLuint CompileStage(const GlStageText& stage)

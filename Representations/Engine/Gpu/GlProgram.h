@@ -42,7 +42,8 @@ public:
   void Bind(vtkOpenGLRenderWindow* window) const;
   static void Unbind();
 
-  /// Sets a sampler or image unit; a name that the linker dropped is ignored. Program must be bound.
+  /// Sets a sampler or image unit; a name that the linker dropped is ignored. Program must be
+  /// bound.
   void SetUnit(const char* name, int unit) const;
 
   /// Connects the uniform block `name` with a binding point; false when the program has none.

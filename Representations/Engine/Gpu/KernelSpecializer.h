@@ -18,8 +18,8 @@ public:
   using std::runtime_error::runtime_error;
 };
 
-/// Mesa drops the file number of a #line directive, so the line number carries it as well: line L of
-/// file F is numbered F * LinesPerFile + L.
+/// Mesa drops the file number of a #line directive, so the line number carries it as well: line L
+/// of file F is numbered F * LinesPerFile + L.
 constexpr int LinesPerFile = 100000;
 
 struct KernelText
@@ -36,8 +36,8 @@ using KernelLookup = std::function<const char*(const std::string& path)>;
 VOLUMEBENCHENGINE_EXPORT KernelText SpecializeKernel(
   const std::string& entry, const std::string& preamble, const KernelLookup& lookup);
 
-/// Replaces the places in a compiler's log ("2:200014(3): error", "0(200014) : error") by file names
-/// and lines.
+/// Replaces the places in a compiler's log ("2:200014(3): error", "0(200014) : error") by file
+/// names and lines.
 VOLUMEBENCHENGINE_EXPORT std::string NameFilesInLog(
   const std::string& log, const std::vector<std::string>& files);
 

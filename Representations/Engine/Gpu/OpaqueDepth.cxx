@@ -93,8 +93,7 @@ void OpaqueDepth::Resolve(const glm::ivec4& viewport, int drawFramebuffer)
   glRenderbufferStorage(GL_RENDERBUFFER, format, viewport.z, viewport.w);
   glBindRenderbuffer(GL_RENDERBUFFER, 0);
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->ResolveFramebuffer);
-  const bool stencil =
-    format == GL_DEPTH24_STENCIL8 || format == GL_DEPTH32F_STENCIL8;
+  const bool stencil = format == GL_DEPTH24_STENCIL8 || format == GL_DEPTH32F_STENCIL8;
   glFramebufferRenderbuffer(GL_DRAW_FRAMEBUFFER,
     stencil ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER,
     this->ResolveBuffer);

@@ -1,5 +1,7 @@
 #include "Gpu/VolumeUpload.h"
 
+#include "Scene/FromVtk.h"
+
 #include "vtkArrayDispatch.h"
 #include "vtkDataArray.h"
 #include "vtkDataArrayRange.h"
@@ -18,21 +20,6 @@ vtkIdType SliceTexels(const Volume& volume)
   return static_cast<vtkIdType>(volume.Texels.x) * volume.Texels.y;
 }
 
-template <typename Tuple>
-double ValueOf(const Tuple& tuple, int component)
-{
-  if (component >= 0)
-  {
-    return static_cast<double>(tuple[component]);
-  }
-  double squares = 0.0;
-  for (const auto value : tuple)
-  {
-    squares += static_cast<double>(value) * static_cast<double>(value);
-  }
-  return std::sqrt(squares);
-}
-
 // 8-bit steps are spread over the 16 bits so that the largest value is exactly 1.
 std::uint16_t ToUnsigned16(double normalized)
 {
@@ -42,28 +29,30 @@ std::uint16_t ToUnsigned16(double normalized)
 struct ConvertWorker
 {
   template <typename Array>
-  void operator()(
-    Array* array, const Volume& volume, vtkIdType firstTuple, unsigned char* texels, vtkIdType count)
+  void operator()(Array* array, const Volume& volume, vtkIdType firstTuple, unsigned char* texels,
+    vtkIdType count)
   {
     const ValueMapping mapping = volume.Mapping;
     const int component = volume.Component;
-    vtkSMPTools::For(0, count, [&](vtkIdType begin, vtkIdType end) {
-      vtkIdType i = begin;
-      for (const auto tuple :
-        vtk::DataArrayTupleRange(array, firstTuple + begin, firstTuple + end))
+    vtkSMPTools::For(0, count,
+      [&](vtkIdType begin, vtkIdType end)
       {
-        const double value = ValueOf(tuple, component);
-        const double normalized = std::isfinite(value) ? mapping.Normalize(value) : 0.0;
-        if (volume.Format == TexelFormat::Unsigned16)
+        vtkIdType i = begin;
+        for (const auto tuple :
+          vtk::DataArrayTupleRange(array, firstTuple + begin, firstTuple + end))
         {
-          reinterpret_cast<std::uint16_t*>(texels)[i++] = ToUnsigned16(normalized);
+          const double value = ValueOf(tuple, component);
+          const double normalized = std::isfinite(value) ? mapping.Normalize(value) : 0.0;
+          if (volume.Format == TexelFormat::Unsigned16)
+          {
+            reinterpret_cast<std::uint16_t*>(texels)[i++] = ToUnsigned16(normalized);
+          }
+          else
+          {
+            reinterpret_cast<float*>(texels)[i++] = static_cast<float>(normalized);
+          }
         }
-        else
-        {
-          reinterpret_cast<float*>(texels)[i++] = static_cast<float>(normalized);
-        }
-      }
-    });
+      });
   }
 };
 
@@ -102,8 +91,8 @@ void ConvertSlab(
 
 std::vector<std::uint8_t> BlankingGrid(const Volume& volume)
 {
-  const std::size_t entries = static_cast<std::size_t>(volume.Texels.x + 1) *
-    (volume.Texels.y + 1) * (volume.Texels.z + 1);
+  const std::size_t entries =
+    static_cast<std::size_t>(volume.Texels.x + 1) * (volume.Texels.y + 1) * (volume.Texels.z + 1);
   std::vector<std::uint8_t> grid(entries, 0);
   const vtkIdType texels = SliceTexels(volume) * volume.Texels.z;
   const int components = volume.Scalars->GetNumberOfComponents();

@@ -20,7 +20,8 @@ std::string Quoted(const char* name)
 
 vtkDataArray* FirstNumericArray(vtkDataSetAttributes* attributes)
 {
-  if (vtkDataArray* scalars = attributes->GetScalars())
+  vtkDataArray* scalars = attributes->GetScalars();
+  if (scalars && scalars->GetName())
   {
     return scalars;
   }

@@ -35,7 +35,8 @@ struct ArrayRequest
 };
 
 /// Throws SceneError when there is no such array, it is not numeric or its length does not fit.
-VOLUMEBENCHENGINE_EXPORT ArraySelection SelectArray(vtkImageData* image, const ArrayRequest& request);
+VOLUMEBENCHENGINE_EXPORT ArraySelection SelectArray(
+  vtkImageData* image, const ArrayRequest& request);
 
 /// The array to draw while nobody has chosen one: the active or first numeric point array, else the
 /// same of the cells; null when there is none.

@@ -1,5 +1,6 @@
 #include "Scene/CameraBuilder.h"
 
+#include "Scene/FromVtk.h"
 #include "Scene/KernelScene.h"
 
 #include "vtkCamera.h"
@@ -17,19 +18,6 @@ namespace volumebench
 {
 namespace
 {
-glm::dmat4 FromVtk(const vtkMatrix4x4* matrix)
-{
-  glm::dmat4 result;
-  for (int row = 0; row < 4; ++row)
-  {
-    for (int column = 0; column < 4; ++column)
-    {
-      result[column][row] = matrix->GetElement(row, column);
-    }
-  }
-  return result;
-}
-
 Light BuildLight(vtkLight* light)
 {
   Light built;

@@ -31,9 +31,9 @@ using FeatureSet = std::bitset<static_cast<std::size_t>(Feature::Count)>;
 struct FeatureRow
 {
   Feature Bit;
-  const char* Name;         // as printed in results and in the panel
-  const char* Define;       // WITH_..., set to 0 or 1 in front of every kernel
-  const char* WhyLeftOut;   // said when the scene does not need it
+  const char* Name;       // as printed in results and in the panel
+  const char* Define;     // WITH_..., set to 0 or 1 in front of every kernel
+  const char* WhyLeftOut; // said when the scene does not need it
   bool (*Needed)(const Scene&);
 };
 

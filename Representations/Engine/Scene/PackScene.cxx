@@ -37,8 +37,8 @@ ViewPlane SolveViewPlane(const Camera& camera)
   const glm::dmat2 upper(p[0][0], p[0][1], p[1][0], p[1][1]);
   const glm::dmat2 inverse = glm::inverse(upper);
   // Column 2 is multiplied by view z = -depth, column 3 stays as it is.
-  const glm::dvec2 shift = camera.Parallel ? glm::dvec2(p[3][0], p[3][1])
-                                           : glm::dvec2(-p[2][0], -p[2][1]);
+  const glm::dvec2 shift =
+    camera.Parallel ? glm::dvec2(p[3][0], p[3][1]) : glm::dvec2(-p[2][0], -p[2][1]);
   return { inverse * -shift, inverse[0], inverse[1] };
 }
 
@@ -122,8 +122,8 @@ void PackWorld(const Volume& volume, SceneBlock64& block)
   block.worldY = Row(linear, 1);
   block.worldZ = Row(linear, 2);
   const glm::dmat3 normal = glm::transpose(glm::inverse(linear));
-  const double largest = std::max(
-    { glm::length(normal[0]), glm::length(normal[1]), glm::length(normal[2]) });
+  const double largest =
+    std::max({ glm::length(normal[0]), glm::length(normal[1]), glm::length(normal[2]) });
   block.normalX = Row(normal / largest, 0);
   block.normalY = Row(normal / largest, 1);
   block.normalZ = Row(normal / largest, 2);
@@ -173,8 +173,8 @@ SceneBlock RoundToFloat(const SceneBlock64& block)
   glm::dvec4 source[SceneBlockVectors];
   glm::vec4 target[SceneBlockVectors];
   std::memcpy(source, &block, sizeof(block));
-  std::transform(source, source + SceneBlockVectors, target,
-    [](const glm::dvec4& v) { return glm::vec4(v); });
+  std::transform(
+    source, source + SceneBlockVectors, target, [](const glm::dvec4& v) { return glm::vec4(v); });
   std::memcpy(&rounded, target, sizeof(rounded));
   return rounded;
 }
@@ -202,6 +202,7 @@ glm::ivec4 ScreenRectangle(const Scene& scene)
   const glm::dvec2 begin = glm::floor((glm::clamp(low, -1.0, 1.0) * 0.5 + 0.5) * size);
   const glm::dvec2 end = glm::ceil((glm::clamp(high, -1.0, 1.0) * 0.5 + 0.5) * size);
   return { viewport.x + static_cast<int>(begin.x), viewport.y + static_cast<int>(begin.y),
-    std::max(0, static_cast<int>(end.x - begin.x)), std::max(0, static_cast<int>(end.y - begin.y)) };
+    std::max(0, static_cast<int>(end.x - begin.x)),
+    std::max(0, static_cast<int>(end.y - begin.y)) };
 }
 }

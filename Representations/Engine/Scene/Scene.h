@@ -59,7 +59,7 @@ struct Volume
   std::string Name;
   int Component = 0; // -1 for the magnitude
   glm::ivec3 Texels{ 0 };
-  glm::dvec3 BoxHalf{ 0.0 };     // voxels
+  glm::dvec3 BoxHalf{ 0.0 }; // voxels
   glm::dmat4 VoxelToWorld{ 1.0 };
   glm::dmat4 VoxelToData{ 1.0 }; // before the actor's own matrix; the crop box is given there
   ValueMapping Mapping;

@@ -110,8 +110,7 @@ Scene SceneBuilder::Build(vtkVolumeBenchMapper* mapper, vtkRenderer* renderer, v
   if (stamp != this->FunctionStamp)
   {
     this->FunctionStamp = 0;
-    this->Function =
-      BuildTransferFunction(property, scene.Volume.FiniteRange, target.LargestTable);
+    this->Function = BuildTransferFunction(property, scene.Volume.FiniteRange, target.LargestTable);
     this->FunctionStamp = stamp;
   }
   scene.TransferFunction = this->Function;

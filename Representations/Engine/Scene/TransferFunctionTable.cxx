@@ -72,8 +72,8 @@ Functions FunctionsOf(vtkVolumeProperty* property)
 }
 
 // The domain of the table: where the functions change, but no further than the data reach.
-void ChooseDomain(const std::set<double>& knots, bool clamping, const double dataRange[2],
-  TransferFunction& result)
+void ChooseDomain(
+  const std::set<double>& knots, bool clamping, const double dataRange[2], TransferFunction& result)
 {
   result.Low = dataRange[0];
   result.High = dataRange[1];
@@ -106,7 +106,7 @@ int ChooseSize(const std::set<double>& knots, const TransferFunction& domain, in
 void Fill(const Functions& functions, double unitDistance, int size, TransferFunction& result)
 {
   std::vector<double> opacity(size);
-  std::vector<double> color(3 * static_cast<std::size_t>(size));
+  std::vector<double> color(std::size_t(3) * size);
   functions.Opacity->GetTable(result.Low, result.High, size, opacity.data());
   if (functions.Color)
   {
@@ -118,14 +118,15 @@ void Fill(const Functions& functions, double unitDistance, int size, TransferFun
     functions.Gray->GetTable(result.Low, result.High, size, gray.data());
     for (int i = 0; i < size; ++i)
     {
-      std::fill_n(color.begin() + 3 * i, 3, gray[i]);
+      std::fill_n(color.data() + std::ptrdiff_t(3) * i, 3, gray[i]);
     }
   }
   result.Table.resize(size);
   for (int i = 0; i < size; ++i)
   {
     const double extinction = ExtinctionOfOpacity(opacity[i], unitDistance);
-    result.Table[i] = glm::vec4(color[3 * i], color[3 * i + 1], color[3 * i + 2], extinction);
+    const double* rgb = color.data() + std::ptrdiff_t(3) * i;
+    result.Table[i] = glm::vec4(rgb[0], rgb[1], rgb[2], extinction);
   }
 }
 }
@@ -152,7 +153,8 @@ TransferFunction BuildTransferFunction(
   Fill(functions, unitDistance, ChooseSize(knots, result, largestSize), result);
 
   ExtendStamp(result.Stamp, functions.Opacity->GetMTime());
-  ExtendStamp(result.Stamp, functions.Color ? functions.Color->GetMTime() : functions.Gray->GetMTime());
+  ExtendStamp(
+    result.Stamp, functions.Color ? functions.Color->GetMTime() : functions.Gray->GetMTime());
   ExtendStamp(result.Stamp, unitDistance);
   ExtendStamp(result.Stamp, dataRange[0]);
   ExtendStamp(result.Stamp, dataRange[1]);

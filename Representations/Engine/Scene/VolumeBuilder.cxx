@@ -1,5 +1,7 @@
 #include "Scene/VolumeBuilder.h"
 
+#include "Scene/FromVtk.h"
+
 #include "vtkArrayDispatch.h"
 #include "vtkDataArray.h"
 #include "vtkDataArrayRange.h"
@@ -16,19 +18,6 @@ namespace volumebench
 {
 namespace
 {
-glm::dmat4 FromVtk(const vtkMatrix4x4* matrix)
-{
-  glm::dmat4 result;
-  for (int row = 0; row < 4; ++row)
-  {
-    for (int column = 0; column < 4; ++column)
-    {
-      result[column][row] = matrix->GetElement(row, column);
-    }
-  }
-  return result;
-}
-
 void Merge(ScalarStatistics& into, const ScalarStatistics& other)
 {
   if (other.AnyFinite)
@@ -52,34 +41,21 @@ void Include(ScalarStatistics& statistics, double value)
   statistics.AnyFinite = true;
 }
 
-template <typename Tuple>
-double ValueOf(const Tuple& tuple, int component)
-{
-  if (component >= 0)
-  {
-    return static_cast<double>(tuple[component]);
-  }
-  double squares = 0.0;
-  for (const auto value : tuple)
-  {
-    squares += static_cast<double>(value) * static_cast<double>(value);
-  }
-  return std::sqrt(squares);
-}
-
 struct StatisticsWorker
 {
   template <typename Array>
   void operator()(Array* array, int component, ScalarStatistics& result) const
   {
     vtkSMPThreadLocal<ScalarStatistics> partial;
-    vtkSMPTools::For(0, array->GetNumberOfTuples(), [&](vtkIdType begin, vtkIdType end) {
-      ScalarStatistics& local = partial.Local();
-      for (const auto tuple : vtk::DataArrayTupleRange(array, begin, end))
+    vtkSMPTools::For(0, array->GetNumberOfTuples(),
+      [&](vtkIdType begin, vtkIdType end)
       {
-        Include(local, ValueOf(tuple, component));
-      }
-    });
+        ScalarStatistics& local = partial.Local();
+        for (const auto tuple : vtk::DataArrayTupleRange(array, begin, end))
+        {
+          Include(local, ValueOf(tuple, component));
+        }
+      });
     for (const ScalarStatistics& local : partial)
     {
       Merge(result, local);
@@ -124,8 +100,8 @@ void CheckGrid(vtkImageData* image, Centering center)
     throw SceneError("the image is one point thick (" + Dimensions(dims) + " points)" +
       (center == Centering::Point ? ": it has no volume to draw" : ": it has no cells to draw"));
   }
-  for (const double spacing : { image->GetSpacing()[0], image->GetSpacing()[1],
-         image->GetSpacing()[2] })
+  for (const double spacing :
+    { image->GetSpacing()[0], image->GetSpacing()[1], image->GetSpacing()[2] })
   {
     if (!(std::abs(spacing) > 0.0) || !std::isfinite(spacing))
     {
@@ -184,30 +160,33 @@ Volume VolumeBuilder::Build(vtkImageData* image, const ArrayRequest& request, in
   volume.Component = components == 1 ? 0 : component;
   volume.Nearest = nearest;
   PlaceGrid(volume, image, selection.Center, actor);
-
-  ChangeStamp stamp = 1;
-  ExtendStamp(stamp, static_cast<const void*>(selection.Scalars));
-  ExtendStamp(stamp, selection.Scalars->GetMTime());
-  ExtendStamp(stamp, volume.Component);
-  if (stamp != this->StatisticsStamp)
+  this->AddStatistics(volume);
+  ChooseMapping(volume);
+  for (int axis = 0; axis < 3; ++axis)
   {
-    this->Statistics = ComputeStatistics(selection.Scalars, volume.Component);
-    this->StatisticsStamp = stamp;
+    ExtendStamp(volume.Stamp, volume.Texels[axis]);
+  }
+  ExtendStamp(volume.Stamp, nearest);
+  return volume;
+}
+
+void VolumeBuilder::AddStatistics(Volume& volume)
+{
+  volume.Stamp = 1;
+  ExtendStamp(volume.Stamp, static_cast<const void*>(volume.Scalars));
+  ExtendStamp(volume.Stamp, volume.Scalars->GetMTime());
+  ExtendStamp(volume.Stamp, volume.Component);
+  if (volume.Stamp != this->StatisticsStamp)
+  {
+    this->Statistics = ComputeStatistics(volume.Scalars, volume.Component);
+    this->StatisticsStamp = volume.Stamp;
   }
   if (!this->Statistics.AnyFinite)
   {
-    throw SceneError("the array '" + selection.Name + "' has no finite value");
+    throw SceneError("the array '" + volume.Name + "' has no finite value");
   }
   volume.FiniteRange[0] = this->Statistics.Low;
   volume.FiniteRange[1] = this->Statistics.High;
   volume.HasNonFinite = !this->Statistics.AllFinite;
-  ChooseMapping(volume);
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    ExtendStamp(stamp, volume.Texels[axis]);
-  }
-  ExtendStamp(stamp, nearest);
-  volume.Stamp = stamp;
-  return volume;
 }
 }

@@ -32,6 +32,8 @@ public:
     vtkMatrix4x4* actor);
 
 private:
+  void AddStatistics(Volume& volume);
+
   // The pass over all values is repeated only when the array or the component changes.
   ChangeStamp StatisticsStamp = 0;
   ScalarStatistics Statistics;

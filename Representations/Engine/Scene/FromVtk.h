@@ -1,0 +1,44 @@
+// VTK's values as the engine uses them: GLM matrices, and one number per tuple.
+#ifndef volumebench_FromVtk_h
+#define volumebench_FromVtk_h
+
+#include "vtkMatrix4x4.h"
+
+#include <glm/mat4x4.hpp>
+
+#include <cmath>
+
+namespace volumebench
+{
+/// VTK stores rows, GLM columns.
+inline glm::dmat4 FromVtk(const vtkMatrix4x4* matrix)
+{
+  glm::dmat4 result;
+  for (int row = 0; row < 4; ++row)
+  {
+    for (int column = 0; column < 4; ++column)
+    {
+      result[column][row] = matrix->GetElement(row, column);
+    }
+  }
+  return result;
+}
+
+/// One component of a tuple of a vtk::DataArrayTupleRange, or its magnitude for component -1.
+template <typename Tuple>
+double ValueOf(const Tuple& tuple, int component)
+{
+  if (component >= 0)
+  {
+    return static_cast<double>(tuple[component]);
+  }
+  double squares = 0.0;
+  for (const auto value : tuple)
+  {
+    squares += static_cast<double>(value) * static_cast<double>(value);
+  }
+  return std::sqrt(squares);
+}
+}
+
+#endif
