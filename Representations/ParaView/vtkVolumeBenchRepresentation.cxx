@@ -2,14 +2,21 @@
 
 #include "Scene/ArraySelection.h"
 #include "Scene/DefaultTransferFunction.h"
+#include "Scene/Scene.h"
 #include "vtkVolumeBenchMapper.h"
 
 #include "vtkColorTransferFunction.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
+#include "vtkImageData.h"
 #include "vtkInformation.h"
+#include "vtkInformationRequestKey.h"
+#include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVLODVolume.h"
+#include "vtkPVRenderView.h"
+#include "vtkRenderer.h"
 #include "vtkScalarsToColors.h"
 #include "vtkVolumeProperty.h"
 
@@ -55,6 +62,18 @@ void vtkVolumeBenchRepresentation::SetRaySetUp(int setUp)
 void vtkVolumeBenchRepresentation::UpdateMapperParameters()
 {
   this->Superclass::UpdateMapperParameters();
+  const std::string failure = this->WhyNotDrawn();
+  if (!failure.empty())
+  {
+    if (failure != this->Failure)
+    {
+      vtkErrorMacro("Volume not drawn: " << failure);
+    }
+    this->Failure = failure;
+    this->Actor->SetVisibility(false);
+    return;
+  }
+  this->Failure.clear();
   vtkInformation* info = this->GetInputArrayInformation(0);
   const char* name = info ? info->Get(vtkDataObject::FIELD_NAME()) : nullptr;
   if (name && *name)
@@ -66,6 +85,100 @@ void vtkVolumeBenchRepresentation::UpdateMapperParameters()
   {
     this->DrawDefaultArray();
   }
+}
+
+// What ParaView's volume prop would pass over in silence before it asks the mapper. Processes that
+// hold no data, as clients and some ranks do, have nothing to say.
+std::string vtkVolumeBenchRepresentation::WhyNotDrawn()
+{
+  vtkDataObject* input =
+    this->GetNumberOfInputConnections(0) > 0 ? this->GetInputDataObject(0, 0) : nullptr;
+  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
+  const bool alone = !controller || controller->GetNumberOfProcesses() < 2;
+  if (vtkCompositeDataSet::SafeDownCast(input))
+  {
+    return std::string("a ") + input->GetClassName() +
+      " of several blocks cannot be drawn: only one block of image data can";
+  }
+  vtkImageData* image = vtkImageData::SafeDownCast(this->Cache);
+  if (!image || (image->GetNumberOfPoints() < 1 && !alone))
+  {
+    return {};
+  }
+  vtkInformation* info = this->GetInputArrayInformation(0);
+  const char* name = info ? info->Get(vtkDataObject::FIELD_NAME()) : nullptr;
+  try
+  {
+    volumebench::Centering center = volumebench::Centering::Point;
+    if (image->GetNumberOfPoints() < 1)
+    {
+      throw volumebench::SceneError("the image is empty");
+    }
+    if (name && *name)
+    {
+      volumebench::SelectArray(
+        image, { this->VolumeMapper->GetScalarMode(), VTK_GET_ARRAY_BY_NAME, -1, name });
+    }
+    else if (!volumebench::FirstArray(image, center))
+    {
+      throw volumebench::SceneError("the image has no scalars to draw");
+    }
+  }
+  catch (const volumebench::SceneError& error)
+  {
+    return error.what();
+  }
+  return {};
+}
+
+int vtkVolumeBenchRepresentation::ProcessViewRequest(
+  vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo)
+{
+  if (!this->Superclass::ProcessViewRequest(request, inInfo, outInfo))
+  {
+    return 0;
+  }
+  if (request == vtkPVView::REQUEST_RENDER())
+  {
+    if (auto* view = vtkPVRenderView::SafeDownCast(inInfo->Get(vtkPVView::VIEW())))
+    {
+      this->SwitchVolumePeelingOff(view->GetRenderer());
+    }
+  }
+  return 1;
+}
+
+void vtkVolumeBenchRepresentation::SwitchVolumePeelingOff(vtkRenderer* renderer)
+{
+  if (renderer->GetUseDepthPeelingForVolumes())
+  {
+    renderer->SetUseDepthPeelingForVolumes(false);
+    this->Unpeeled = renderer;
+  }
+}
+
+void vtkVolumeBenchRepresentation::RestoreVolumePeeling()
+{
+  if (this->Unpeeled)
+  {
+    this->Unpeeled->SetUseDepthPeelingForVolumes(true);
+    this->Unpeeled = nullptr;
+  }
+}
+
+void vtkVolumeBenchRepresentation::SetVisibility(bool visible)
+{
+  if (!visible)
+  {
+    this->RestoreVolumePeeling();
+  }
+  this->Superclass::SetVisibility(visible);
+}
+
+bool vtkVolumeBenchRepresentation::RemoveFromView(vtkView* view)
+{
+  this->RestoreVolumePeeling();
+  return this->Superclass::RemoveFromView(view);
 }
 
 void vtkVolumeBenchRepresentation::ForwardVectorMode()
@@ -86,7 +199,7 @@ void vtkVolumeBenchRepresentation::DrawDefaultArray()
   this->Actor->SetVisibility(array != nullptr);
   if (!array)
   {
-    return;
+    return; // a process without data
   }
   if (array != this->RampedArray || array->GetMTime() != this->RampTime)
   {

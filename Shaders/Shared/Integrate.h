@@ -20,7 +20,7 @@ FUNC vec4 sampleAt(SCENE_PARAM Ray ray, real along)
     vec3 voxel = ray.origin + along * ray.direction;
     vec3 world = rowsTimes(scene.worldX, scene.worldY, scene.worldZ, voxel);
     vec3 toEye =
-      -rowsTimes(scene.worldX, scene.worldY, scene.worldZ, ray.direction) / ray.worldPerVoxel;
+      -normalize(rowsTimes(scene.worldX, scene.worldY, scene.worldZ, ray.direction));
     vec3 lit = shade(SCENE xyz(sampled), worldGradientAt(SCENE position), world, toEye);
     sampled = VEC4(lit.x, lit.y, lit.z, sampled.w);
   }
@@ -44,7 +44,7 @@ FUNC vec4 integrate(SCENE_PARAM Ray ray, Interval interval)
 #else
     vec4 sampled = sampleAt(SCENE ray, stepBegin);
 #endif
-    real opticalDepth = sampled.w * (width * ray.worldPerVoxel);
+    real opticalDepth = sampled.w * (width * ray.lengthPerVoxel);
     result = compositeBehind(result, xyz(sampled), opacityOfDepth(opticalDepth));
 #if WITH_TERMINATION
     if (result.w >= scene.sampling.y)

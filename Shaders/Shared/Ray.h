@@ -6,7 +6,7 @@ STRUCT(Ray)
   vec3 direction;        // voxel space, length 1
   vec3 textureOrigin;    // the same two in texture space
   vec3 textureDirection;
-  real worldPerVoxel;    // world length of one unit along the ray
+  real lengthPerVoxel;   // data length of one unit along the ray
 };
 
 STRUCT(Interval)
@@ -25,8 +25,7 @@ FUNC Ray rayThroughPixel(SCENE_PARAM vec2 pixel)
     xyz(scene.rayDirection) + x * xyz(scene.rayDirectionX) + y * xyz(scene.rayDirectionY));
   ray.textureOrigin = ray.origin * xyz(scene.textureScale) + xyz(scene.textureOffset);
   ray.textureDirection = ray.direction * xyz(scene.textureScale);
-  ray.worldPerVoxel =
-    length(rowsTimes(scene.worldX, scene.worldY, scene.worldZ, ray.direction));
+  ray.lengthPerVoxel = length(rowsTimes(scene.dataX, scene.dataY, scene.dataZ, ray.direction));
   return ray;
 }
 

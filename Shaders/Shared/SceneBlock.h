@@ -2,8 +2,9 @@
 // CUDA, OpenCL C and C++ agree on the layout. PackScene fills it in double precision.
 //
 // Spaces: "voxel" is the index space of the texels with its origin in the middle of the box that
-// holds the field, so one unit is one voxel edge on every axis; "texture" is [0, 1]^3; "world" is
-// the space of lights and lengths, relative to the middle of the box.
+// holds the field, so one unit is one voxel edge on every axis; "texture" is [0, 1]^3; "data" has
+// the grid's own lengths, in which opacity is given per unit distance, as in VTK; "world" adds the
+// prop's transform and is the space of lights, relative to the middle of the box.
 #define LIGHT_LIMIT 8
 
 SCENE_BLOCK_BEGIN
@@ -21,7 +22,10 @@ SCENE_BLOCK_BEGIN
   vec4 textureScale;    // xyz: texture coordinate per voxel
   vec4 textureOffset;   // xyz: texture coordinate of the middle of the box
   vec4 textureSize;     // xyz: texels per axis
-  vec4 worldX;          // xyz: first row of the voxel-to-world matrix
+  vec4 dataX;           // xyz: first row of the voxel-to-data matrix, in which opacity has its unit
+  vec4 dataY;           // xyz: second row
+  vec4 dataZ;           // xyz: third row
+  vec4 worldX;          // xyz: first row of the voxel-to-world matrix, in which lights stand
   vec4 worldY;          // xyz: second row
   vec4 worldZ;          // xyz: third row
   vec4 normalX;         // xyz: first row of its inverse transpose, which turns gradients

@@ -117,6 +117,10 @@ void PackLighting(const Scene& scene, SceneBlock64& block)
 // spacings of 1e-6 or 1e6 do not push them out of the range in which a zero gradient is told.
 void PackWorld(const Volume& volume, SceneBlock64& block)
 {
+  const glm::dmat3 data(volume.VoxelToData);
+  block.dataX = Row(data, 0);
+  block.dataY = Row(data, 1);
+  block.dataZ = Row(data, 2);
   const glm::dmat3 linear(volume.VoxelToWorld);
   block.worldX = Row(linear, 0);
   block.worldY = Row(linear, 1);

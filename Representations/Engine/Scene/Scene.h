@@ -61,7 +61,7 @@ struct Volume
   glm::ivec3 Texels{ 0 };
   glm::dvec3 BoxHalf{ 0.0 }; // voxels
   glm::dmat4 VoxelToWorld{ 1.0 };
-  glm::dmat4 VoxelToData{ 1.0 }; // before the actor's own matrix; the crop box is given there
+  glm::dmat4 VoxelToData{ 1.0 }; // before the actor's own matrix: space of crop box and opacity
   ValueMapping Mapping;
   TexelFormat Format = TexelFormat::Float32;
   double FiniteRange[2] = { 0.0, 1.0 };
@@ -70,7 +70,7 @@ struct Volume
   ChangeStamp Stamp = 0;
 };
 
-/// Entries (red, green, blue, extinction per world unit), equally spaced from Low to High.
+/// Entries (red, green, blue, extinction per data unit), equally spaced from Low to High.
 struct TransferFunction
 {
   std::vector<glm::vec4> Table;

@@ -10,7 +10,7 @@ class vtkVolumeProperty;
 
 namespace volumebench
 {
-/// Extinction per world unit of an opacity per `unitDistance`: -ln(1 - a) / d, a at most 1 - 2^-24.
+/// Extinction per data unit of an opacity per `unitDistance`: -ln(1 - a) / d, a at most 1 - 2^-24.
 VOLUMEBENCHENGINE_EXPORT double ExtinctionOfOpacity(double opacity, double unitDistance);
 
 /// Samples the functions of component 0 over the part of `dataRange` in which they change; values
