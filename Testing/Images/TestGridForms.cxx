@@ -9,16 +9,6 @@ using namespace volumebench::test;
 
 namespace
 {
-double Bumpy(double i, double j, double k)
-{
-  return 2.0 + std::sin(0.9 * i + 0.4 * j) + std::cos(0.7 * k);
-}
-
-vtkSmartPointer<vtkVolumeProperty> BumpyProperty()
-{
-  return MakeLinearExtinctionProperty(0.1, 0.0, 4.0);
-}
-
 double WorstDifference(RenderScene& a, RenderScene& b)
 {
   const FloatPicture pictureA = a.Picture();

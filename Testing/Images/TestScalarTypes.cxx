@@ -14,7 +14,7 @@ using namespace volumebench::test;
 namespace
 {
 // 0..40 in whole numbers, so that every type holds it exactly.
-double Bumpy(double i, double j, double k)
+double Whole(double i, double j, double k)
 {
   return std::floor(20.0 + 10.0 * std::sin(0.9 * i + 0.4 * j) + 9.0 * std::cos(0.7 * k));
 }
@@ -24,7 +24,7 @@ double WorstDifference(const FloatPicture& a, const FloatPicture& b)
   return CompareImages(a, b).Linf;
 }
 
-vtkSmartPointer<vtkVolumeProperty> BumpyProperty()
+vtkSmartPointer<vtkVolumeProperty> WholeProperty()
 {
   return MakeLinearExtinctionProperty(0.01, 0.0, 40.0);
 }
@@ -36,14 +36,14 @@ class ScalarTypes : public EveryTechnique
 
 TEST_P(ScalarTypes, AllTypesGiveTheSamePicture)
 {
-  RenderScene reference(GetParam(), MakeImage(12, 10, 8, Bumpy, VTK_FLOAT), BumpyProperty());
+  RenderScene reference(GetParam(), MakeImage(12, 10, 8, Whole, VTK_FLOAT), WholeProperty());
   const FloatPicture expected = reference.Picture();
   ASSERT_GT(PixelAt(expected, 32, 32).Alpha, 0.1);
   for (const int type : { VTK_CHAR, VTK_SIGNED_CHAR, VTK_UNSIGNED_CHAR, VTK_SHORT,
          VTK_UNSIGNED_SHORT, VTK_INT, VTK_UNSIGNED_INT, VTK_LONG, VTK_UNSIGNED_LONG, VTK_LONG_LONG,
          VTK_UNSIGNED_LONG_LONG, VTK_ID_TYPE, VTK_DOUBLE })
   {
-    RenderScene scene(GetParam(), MakeImage(12, 10, 8, Bumpy, type), BumpyProperty());
+    RenderScene scene(GetParam(), MakeImage(12, 10, 8, Whole, type), WholeProperty());
     // A 16-bit texture over the whole 16-bit range leaves a quantum of 1.5e-5 of that range
     // between two texels; the optical depth of a step of it is far below 1e-4.
     EXPECT_LE(WorstDifference(scene.Picture(), expected), 1e-4)
@@ -74,15 +74,15 @@ TEST_P(ScalarTypes, EightBitDataAreFilteredFinely)
 
 TEST_P(ScalarTypes, LargeOffsetsAndRangesInDouble)
 {
-  RenderScene reference(GetParam(), MakeImage(12, 10, 8, Bumpy), BumpyProperty());
+  RenderScene reference(GetParam(), MakeImage(12, 10, 8, Whole), WholeProperty());
   const FloatPicture expected = reference.Picture();
   for (const auto& [scale, offset] :
     { std::pair{ 1.0, 1.0e9 }, { 1.0e300, 0.0 }, { 1.0e-300, 0.0 } })
   {
     const auto field = [scale = scale, offset = offset](double i, double j, double k)
-    { return offset + scale * Bumpy(i, j, k); };
+    { return offset + scale * Whole(i, j, k); };
     auto property = vtkSmartPointer<vtkVolumeProperty>::New();
-    property->DeepCopy(BumpyProperty());
+    property->DeepCopy(WholeProperty());
     vtkNew<vtkPiecewiseFunction> opacity;
     vtkNew<vtkColorTransferFunction> color;
     for (int value = 0; value <= 400; ++value)
@@ -149,14 +149,14 @@ TEST_P(ScalarTypes, ComponentAndMagnitude)
 
 TEST_P(ScalarTypes, NonFiniteVoxelsAreBlankAndLeaveTheRestAlone)
 {
-  const auto clean = [](double i, double j, double k) { return Bumpy(i, j, k); };
+  const auto clean = [](double i, double j, double k) { return Whole(i, j, k); };
   const auto dirty = [](double i, double j, double k)
   {
     const bool corner = i == 0 && j == 0 && k == 0;
-    return corner ? std::nan("") : (i == 1 && j == 0 && k == 0 ? INFINITY : Bumpy(i, j, k));
+    return corner ? std::nan("") : (i == 1 && j == 0 && k == 0 ? INFINITY : Whole(i, j, k));
   };
-  RenderScene good(GetParam(), MakeImage(12, 10, 8, clean), BumpyProperty());
-  RenderScene bad(GetParam(), MakeImage(12, 10, 8, dirty), BumpyProperty());
+  RenderScene good(GetParam(), MakeImage(12, 10, 8, clean), WholeProperty());
+  RenderScene bad(GetParam(), MakeImage(12, 10, 8, dirty), WholeProperty());
   good.LookFrom(0.0, 0.0, 1.0);
   bad.LookFrom(0.0, 0.0, 1.0);
   const FloatPicture expected = good.Picture();

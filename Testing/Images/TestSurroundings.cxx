@@ -7,6 +7,7 @@
 #include "vtkPlaneSource.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
+#include "vtkUnsignedCharArray.h"
 
 using namespace volumebench;
 using namespace volumebench::test;
@@ -65,6 +66,27 @@ TEST_P(Surroundings, OpaqueGeometryHidesWhatIsBehind)
     EXPECT_EQ(PixelAt(picture, 32, 32).Alpha, 1.0f);
     EXPECT_NE(scene.Mapper->GetFeatures().find("opaque-depth"), std::string::npos);
   }
+}
+
+TEST_P(Surroundings, MultisampledDepthIsResolved)
+{
+  double red[2];
+  for (const int samples : { 0, 4 })
+  {
+    RenderScene scene(GetParam(), MakeImage(9, 9, 9, Zero), MakeConstantProperty(Tau));
+    scene.Window->SetMultiSamples(samples);
+    scene.LookFrom(0.0, 0.0, 1.0);
+    auto plane = BlackPlane(3.0);
+    scene.Renderer->AddActor(plane);
+    scene.Renderer->ResetCameraClippingRange();
+    scene.Window->Render();
+    vtkNew<vtkUnsignedCharArray> pixels;
+    scene.Window->GetRGBACharPixelData(32, 32, 32, 32, 0, pixels);
+    EXPECT_EQ(scene.Mapper->GetFailure(), "");
+    red[samples / 4] = pixels->GetComponent(0, 0);
+  }
+  EXPECT_NEAR(red[0], 255.0 * -std::expm1(-Tau * 5.0), 2.0);
+  EXPECT_NEAR(red[1], red[0], 1.0);
 }
 
 TEST_P(Surroundings, DepthIsLeftOutWithoutOpaqueGeometry)

@@ -12,16 +12,6 @@ using namespace volumebench::test;
 
 namespace
 {
-double Bumpy(double i, double j, double k)
-{
-  return 2.0 + std::sin(0.9 * i + 0.4 * j) + std::cos(0.7 * k);
-}
-
-vtkSmartPointer<vtkVolumeProperty> BumpyProperty()
-{
-  return MakeLinearExtinctionProperty(0.1, 0.0, 4.0);
-}
-
 std::vector<GLint> ReadState()
 {
   std::vector<GLint> state;
@@ -148,14 +138,6 @@ TEST_P(Windows, ChangedDataAndFunctionsAreDrawn)
   property->GetScalarOpacity()->AddPoint(0.0, 0.0);
   property->GetScalarOpacity()->AddPoint(4.0, 0.0);
   EXPECT_EQ(PixelAt(scene.Picture(), 32, 32).Alpha, 0.0f);
-}
-
-TEST_P(Windows, MultisampledWindowsStopAtOpaqueGeometryToo)
-{
-  RenderScene scene(GetParam(), MakeImage(9, 9, 9, Bumpy), MakeConstantProperty(0.3));
-  scene.Window->SetMultiSamples(4);
-  scene.Window->Render();
-  EXPECT_EQ(scene.Mapper->GetFailure(), "");
 }
 
 VOLUMEBENCH_FOR_EVERY_TECHNIQUE(Windows);

@@ -87,6 +87,17 @@ inline vtkSmartPointer<vtkVolumeProperty> MakeLinearExtinctionProperty(
   property->SetInterpolationTypeToLinear();
   return property;
 }
+
+/// A smooth field between 0 and 4, the same along no axis.
+inline double Bumpy(double i, double j, double k)
+{
+  return 2.0 + std::sin(0.9 * i + 0.4 * j) + std::cos(0.7 * k);
+}
+
+inline vtkSmartPointer<vtkVolumeProperty> BumpyProperty()
+{
+  return MakeLinearExtinctionProperty(0.1, 0.0, 4.0);
+}
 }
 
 #endif

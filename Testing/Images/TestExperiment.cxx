@@ -1,0 +1,162 @@
+// The experiment of the benchmark filter: rows, errors, progress, abort.
+#include "Contestant.h"
+#include "EveryTechnique.h"
+#include "Experiment.h"
+
+using namespace volumebench;
+using namespace volumebench::test;
+
+namespace
+{
+ExperimentSettings SmallSettings(const std::string& technique)
+{
+  ExperimentSettings settings;
+  settings.Techniques = { technique };
+  settings.Integrators = { 1 };
+  settings.StepsVoxels = { 1.0 };
+  settings.Width = settings.Height = 48;
+  settings.Orbit.FramesPerTurn = 6;
+  settings.Stop.MinimumFrames = 3;
+  settings.Stop.TimeLimitS = 0.5;
+  settings.WarmUpFrames = 1;
+  return settings;
+}
+
+class SmallInput
+{
+public:
+  SmallInput()
+  {
+    this->Input.Image = this->Image;
+    this->Input.ArrayName = "field";
+    this->Input.Property = this->Property;
+  }
+  vtkSmartPointer<vtkImageData> Image = MakeImage(12, 10, 8, Bumpy);
+  vtkSmartPointer<vtkVolumeProperty> Property = BumpyProperty();
+  ContestantInput Input;
+};
+
+bool GoOn(double)
+{
+  return true;
+}
+}
+
+class Experiments : public EveryTechnique
+{
+};
+
+TEST_P(Experiments, OneRowPerRunWithItsError)
+{
+  const SmallInput small;
+  ExperimentSettings settings = SmallSettings(GetParam());
+  settings.Techniques.emplace_back("vtk-gpu");
+  settings.Integrators = { 0, 1 };
+  settings.StepsVoxels = { 2.0, 0.5 };
+  const auto results = RunExperiment(settings, small.Input, GoOn);
+  ASSERT_EQ(results.size(), 5u);
+  for (const RunResult& result : results)
+  {
+    EXPECT_EQ(result.Status, "ok") << result.Reason;
+    EXPECT_GE(result.Frames, 1);
+    EXPECT_GT(result.FrameMs.Median, 0.0);
+    EXPECT_GT(result.GpuMs.Median, 0.0);
+    EXPECT_LE(result.GpuMs.Median, result.FrameMs.Max);
+    EXPECT_GT(result.Error.Rmse, 0.0);
+    EXPECT_GE(result.Error.Linf, result.Error.Rmse);
+    EXPECT_LT(result.ReferenceUncertainty, 1e-4);
+  }
+  EXPECT_EQ(results[0].Integrator, "Left");
+  EXPECT_EQ(results[4].Integrator, "");
+  // A shorter step and the better integrator are closer to the reference.
+  EXPECT_LT(results[1].Error.Rmse, results[0].Error.Rmse);
+  EXPECT_LT(results[3].Error.Rmse, results[1].Error.Rmse);
+}
+
+TEST_P(Experiments, ProgressGrowsToTheEnd)
+{
+  const SmallInput small;
+  std::vector<double> shares;
+  RunExperiment(SmallSettings(GetParam()), small.Input,
+    [&](double share)
+    {
+      shares.push_back(share);
+      return true;
+    });
+  ASSERT_GT(shares.size(), 3u);
+  EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+  EXPECT_EQ(shares.back(), 1.0);
+}
+
+TEST_P(Experiments, AbortEndsItWithoutHalfMeasuredRows)
+{
+  const SmallInput small;
+  ExperimentSettings settings = SmallSettings(GetParam());
+  settings.StepsVoxels = { 2.0, 1.0 };
+  settings.Stop.RelativeNoise = 0.0;
+  settings.Stop.TimeLimitS = 60.0;
+  for (const int framesBeforeAbort : { 0, 2, 8 })
+  {
+    int calls = 0;
+    const auto results =
+      RunExperiment(settings, small.Input, [&](double) { return ++calls <= framesBeforeAbort; });
+    EXPECT_TRUE(results.empty());
+    EXPECT_LE(calls, framesBeforeAbort + 40) << "it went on after the abort";
+  }
+}
+
+TEST_P(Experiments, RotatesForSeconds)
+{
+  const SmallInput small;
+  ExperimentSettings settings = SmallSettings(GetParam());
+  settings.ErrorViews = 0;
+  settings.Stop.DurationS = 0.3;
+  const auto results = RunExperiment(settings, small.Input, GoOn);
+  ASSERT_EQ(results.size(), 1u);
+  EXPECT_GE(results[0].Frames * results[0].FrameMs.Max, 300.0);
+  EXPECT_TRUE(std::isnan(results[0].Error.Rmse)) << "no error was asked for";
+}
+
+VOLUMEBENCH_FOR_EVERY_TECHNIQUE(Experiments);
+
+TEST(ExperimentSettings, NameWhatIsWrong)
+{
+  const auto messageOf = [](void (*spoil)(ExperimentSettings&))
+  {
+    ExperimentSettings settings = SmallSettings("single-pass");
+    spoil(settings);
+    try
+    {
+      CheckSettings(settings);
+    }
+    catch (const std::runtime_error& error)
+    {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(messageOf([](ExperimentSettings&) {}), "");
+  EXPECT_NE(
+    messageOf([](ExperimentSettings& s) { s.Width = 0; }).find("0 x 48"), std::string::npos);
+  EXPECT_NE(messageOf([](ExperimentSettings& s) { s.StepsVoxels = { -1.0 }; }).find("step is -1"),
+    std::string::npos);
+  EXPECT_NE(messageOf([](ExperimentSettings& s) { s.Techniques.clear(); }).find("no technique"),
+    std::string::npos);
+  EXPECT_NE(messageOf([](ExperimentSettings& s) { s.ErrorViews = 99; }).find("99 error views"),
+    std::string::npos);
+}
+
+TEST(ExperimentContestants, UnknownOnesAreNamedWithTheKnown)
+{
+  const SmallInput small;
+  try
+  {
+    RunExperiment(SmallSettings("nix"), small.Input, GoOn);
+    FAIL() << "no error";
+  }
+  catch (const std::runtime_error& error)
+  {
+    EXPECT_NE(std::string(error.what()).find("'nix'"), std::string::npos);
+    EXPECT_NE(std::string(error.what()).find("vtk-fixed-point"), std::string::npos);
+  }
+}
