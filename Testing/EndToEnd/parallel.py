@@ -113,7 +113,7 @@ def draw(name: str, folder: Path, path: Path, remote: bool) -> None:
 def scenes(folder: Path, port: int | None) -> None:
     """The other process: draw all scenes and leave their pictures."""
     if port is not None:
-        simple.Connect("localhost", port)
+        simple.Connect("127.0.0.1", port)
         load_plugin(remote=True)
     load_plugin(remote=False)
     for name in SCENES:
@@ -176,7 +176,7 @@ def run(command: list[str]) -> None:
 def server(launcher: list[str] | None = None) -> Iterator[int]:
     """Start a pvserver on a free port, and see that it ends."""
     with socket.socket() as probe:
-        probe.bind(("localhost", 0))
+        probe.bind(("127.0.0.1", 0))
         port = probe.getsockname()[1]
     command = [*(launcher or []), shutil.which("pvserver"), f"--server-port={port}"]
     with temporary_folder() as folder, open(folder / "log", "w+") as log:
