@@ -143,6 +143,8 @@ def write_volume(folder: Path) -> None:
     writer.SetFileName(str(folder / "volume.vti"))
     writer.SetInputData(image)
     writer.SetCompressorTypeToNone()
+    # Appended data cannot be read back with the expat of Debian 12's security updates.
+    writer.SetDataModeToBinary()
     writer.Write()
 
 
