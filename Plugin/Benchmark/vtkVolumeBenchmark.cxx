@@ -188,8 +188,6 @@ void vtkVolumeBenchmark::Measure(vtkImageData* image, vtkTable* table)
   const volumebench::ExperimentSettings settings = this->MakeSettings();
   bool onCells = false;
   vtkDataArray* scalars = this->ChooseArray(image, onCells);
-  vtkNew<vtkVolumeProperty> property;
-  this->FillProperty(image, scalars, property);
   volumebench::ContestantInput input;
   input.Image = image;
   input.ArrayName = scalars->GetName() ? scalars->GetName() : "";
@@ -197,12 +195,14 @@ void vtkVolumeBenchmark::Measure(vtkImageData* image, vtkTable* table)
   input.Components = scalars->GetNumberOfComponents();
   input.VectorMode = this->VectorMode;
   input.VectorComponent = this->VectorComponent;
-  input.Property = property;
-  // Refuse input that no technique can draw before any window opens.
-  volumebench::VolumeBuilder().Build(image,
+  // Input that no technique can draw is refused here, before any window opens.
+  const volumebench::Volume volume = volumebench::VolumeBuilder().Build(image,
     { input.CellArray ? VTK_SCALAR_MODE_USE_CELL_FIELD_DATA : VTK_SCALAR_MODE_USE_POINT_FIELD_DATA,
       VTK_GET_ARRAY_BY_NAME, -1, input.ArrayName.c_str() },
     this->VectorMode == 0 ? -1 : this->VectorComponent, false, nullptr);
+  vtkNew<vtkVolumeProperty> property;
+  this->FillProperty(image, volume.FiniteRange, property);
+  input.Property = property;
 
   const auto results = volumebench::RunExperiment(settings, input,
     [this](double share)
@@ -237,13 +237,10 @@ vtkDataArray* vtkVolumeBenchmark::ChooseArray(vtkImageData* image, bool& onCells
 }
 
 void vtkVolumeBenchmark::FillProperty(
-  vtkImageData* image, vtkDataArray* scalars, vtkVolumeProperty* property)
+  vtkImageData* image, const double range[2], vtkVolumeProperty* property)
 {
   CheckAscending(this->OpacityPoints, OpacityStride, "the opacity function");
   CheckAscending(this->ColorPoints, ColorStride, "the colour function");
-  double range[2];
-  const bool magnitude = this->VectorMode == 0 && scalars->GetNumberOfComponents() > 1;
-  scalars->GetFiniteRange(range, magnitude ? -1 : this->VectorComponent);
   volumebench::FillDefaultTransferFunction(property, range);
   if (!this->OpacityPoints.empty())
   {

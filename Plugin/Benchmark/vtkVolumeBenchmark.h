@@ -73,7 +73,7 @@ public:
   ///@}
 
   ///@{
-  /** World length over which the opacities hold; 0: the mean spacing. */
+  /** Length in the data's units over which the opacities hold; 0: the mean spacing. */
   vtkSetMacro(ScalarOpacityUnitDistance, double);
   vtkGetMacro(ScalarOpacityUnitDistance, double);
   ///@}
@@ -167,7 +167,7 @@ private:
   volumebench::ExperimentSettings MakeSettings() const;
   void Measure(vtkImageData* image, vtkTable* table);
   vtkDataArray* ChooseArray(vtkImageData* image, bool& onCells);
-  void FillProperty(vtkImageData* image, vtkDataArray* scalars, vtkVolumeProperty* property);
+  void FillProperty(vtkImageData* image, const double range[2], vtkVolumeProperty* property);
   void Append(std::vector<double>& points, std::initializer_list<double> values);
 
   std::vector<std::string> Techniques;

@@ -153,6 +153,16 @@ TEST(VolumeBuilder, MagnitudeAndComponent)
   EXPECT_THROW(Build(image, PointField, 2), SceneError);
 }
 
+TEST(VolumeBuilder, ScalarsIgnoreComponentAndMagnitude)
+{
+  auto image = MakeImage(5, 3, 2, Index);
+  for (const int component : { -1, 0, 2 })
+  {
+    EXPECT_EQ(Build(image, PointField, component).Component, 0);
+    EXPECT_EQ(Build(image, PointField, component).FiniteRange[1], 4.0);
+  }
+}
+
 TEST(VolumeBuilder, NamesWhatCannotBeDrawn)
 {
   vtkNew<vtkImageData> empty;

@@ -149,7 +149,7 @@ Volume VolumeBuilder::Build(vtkImageData* image, const ArrayRequest& request, in
   const ArraySelection selection = SelectArray(image, request);
   CheckGrid(image, selection.Center);
   const int components = selection.Scalars->GetNumberOfComponents();
-  if (component >= components)
+  if (components > 1 && component >= components)
   {
     throw SceneError("the array '" + selection.Name + "' has " + std::to_string(components) +
       " components; component " + std::to_string(component) + " was asked for");
