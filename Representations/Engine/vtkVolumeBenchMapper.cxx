@@ -184,6 +184,12 @@ volumebench::SetUpCosts vtkVolumeBenchMapper::GetSetUpCosts() const
                                    : volumebench::SetUpCosts();
 }
 
+std::vector<volumebench::StageTime> vtkVolumeBenchMapper::GetStages() const
+{
+  return this->Internal->Technique ? this->Internal->Technique->GetStages()
+                                   : std::vector<volumebench::StageTime>();
+}
+
 void vtkVolumeBenchMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -192,6 +198,14 @@ void vtkVolumeBenchMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "StepVoxels: " << this->StepVoxels << "\n";
   os << indent << "TerminationThreshold: " << this->TerminationThreshold << "\n";
   os << indent << "RaySetUp: " << this->RaySetUp << "\n";
+  os << indent << "WorkGroupShape: " << this->WorkGroupShape << "\n";
+  os << indent << "SliceExtent: " << this->SliceExtent << "\n";
+  os << indent << "SliceThreads: " << this->SliceThreads << "\n";
+  os << indent << "SliceTarget: " << this->SliceTarget << "\n";
+  os << indent << "SliceOrder: " << this->SliceOrder << "\n";
+  os << indent << "LightingDamping: " << this->LightingDamping << "\n";
+  os << indent << "CountSamples: " << this->CountSamples << "\n";
+  os << indent << "TimeStages: " << this->TimeStages << "\n";
   os << indent << "VectorMode: " << this->VectorMode << "\n";
   os << indent << "VectorComponent: " << this->VectorComponent << "\n";
   os << indent << "Failure: " << this->Internal->Failure << "\n";

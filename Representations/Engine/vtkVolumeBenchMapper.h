@@ -18,10 +18,12 @@
 
 #include <memory> // for Internals
 #include <string> // for messages
+#include <vector> // for stage times
 
 namespace volumebench
 {
 struct SetUpCosts;
+struct StageTime;
 }
 
 class VOLUMEBENCHENGINE_EXPORT vtkVolumeBenchMapper : public vtkVolumeMapper
@@ -37,6 +39,14 @@ public:
     Component = 1
   };
 
+  /**
+   * A blend mode beyond vtkVolumeMapper's own, for SetBlendMode: Composite with every extinction
+   * weighted by the difference of the ray's two neighbours, one voxel before and after the sample,
+   * as a share of the data's range (Maas & Overhoff 2015). Of VTK's modes Composite, Maximum,
+   * Minimum and Average are drawn.
+   */
+  static constexpr int GRADIENT_BLEND = 16;
+
   ///@{
   /**
    * Id of the technique, as listed in Plugin/Techniques.cmake. An unknown id draws nothing and
@@ -48,9 +58,11 @@ public:
 
   ///@{
   /**
-   * 0: Left, sampled where a step begins (first order); 1: Midpoint (second order, default).
+   * 0: Left, sampled where a step begins (first order); 1: Midpoint (second order, default); 3:
+   * PreIntegrated, each step taken from a table over the values at its two ends (Engel et al. 2001).
+   * Matters for the blend modes Composite and Gradient.
    */
-  vtkSetClampMacro(Integrator, int, 0, 1);
+  vtkSetMacro(Integrator, int);
   vtkGetMacro(Integrator, int);
   ///@}
 
@@ -94,6 +106,83 @@ public:
   vtkGetMacro(VectorComponent, int);
   ///@}
 
+  ///@{
+  /**
+   * Technique compute: pixels of a work group as "WIDTHxHEIGHT", one of the 21 shapes from 4x1 to
+   * 16x8 of Sans & Carmona 2016; or "Auto" (default), which measures a few of them once per class
+   * of scene.
+   */
+  vtkSetStdStringFromCharMacro(WorkGroupShape);
+  vtkGetCharFromStdStringMacro(WorkGroupShape);
+  ///@}
+
+  ///@{
+  /**
+   * Techniques slices and slices-threaded: the depths between which the slice distance divides
+   * evenly (Nikolov 2015). 0: depths of the box's nearest and farthest vertex (default); 1: their
+   * distances from the eye; 2: entry and exit of the central ray. Slices go on to the ends of the
+   * box in any case, so nothing is cut off.
+   */
+  vtkSetMacro(SliceExtent, int);
+  vtkGetMacro(SliceExtent, int);
+  ///@}
+
+  ///@{
+  /**
+   * Technique slices-threaded: threads that make the slices, 1, 2, 4, 8 or 16; 0 (default): as many
+   * as pay on this machine.
+   */
+  vtkSetMacro(SliceThreads, int);
+  vtkGetMacro(SliceThreads, int);
+  ///@}
+
+  ///@{
+  /**
+   * Techniques slices and slices-threaded: the texture that slices are blended in. 0: RGBA32F
+   * (default), 1: RGBA16F, 2: RGBA8 (loses thin media; for comparison). Blend modes other than
+   * Composite and Gradient always take RGBA32F.
+   */
+  vtkSetMacro(SliceTarget, int);
+  vtkGetMacro(SliceTarget, int);
+  ///@}
+
+  ///@{
+  /**
+   * Techniques slices and slices-threaded: 0: front to back (default), 1: back to front.
+   */
+  vtkSetMacro(SliceOrder, int);
+  vtkGetMacro(SliceOrder, int);
+  ///@}
+
+  ///@{
+  /**
+   * Fades lighting where the field is nearly constant and its gradient is mostly noise: below this
+   * gradient, as a share of the data's range per voxel, diffuse and specular light weigh in
+   * proportion to it. 0 (default) switches damping off.
+   */
+  vtkSetMacro(LightingDamping, double);
+  vtkGetMacro(LightingDamping, double);
+  ///@}
+
+  ///@{
+  /**
+   * For measuring: instead of the picture, draws samples taken (red), samples skipped (green) and
+   * whether the ray was terminated (blue), to be summed over a float target. Default off.
+   */
+  vtkSetMacro(CountSamples, bool);
+  vtkGetMacro(CountSamples, bool);
+  vtkBooleanMacro(CountSamples, bool);
+  ///@}
+
+  ///@{
+  /**
+   * For measuring: times each stage of a frame, which makes the frame slower. Default off.
+   */
+  vtkSetMacro(TimeStages, bool);
+  vtkGetMacro(TimeStages, bool);
+  vtkBooleanMacro(TimeStages, bool);
+  ///@}
+
   void Render(vtkRenderer* renderer, vtkVolume* volume) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
@@ -119,6 +208,12 @@ public:
    */
   volumebench::SetUpCosts GetSetUpCosts() const;
 
+  /**
+   * The stages of the last frame that was drawn with TimeStages on, in order; empty when the
+   * technique has only one.
+   */
+  std::vector<volumebench::StageTime> GetStages() const;
+
 protected:
   vtkVolumeBenchMapper();
   ~vtkVolumeBenchMapper() override;
@@ -128,6 +223,14 @@ protected:
   double StepVoxels = 0.5;
   double TerminationThreshold = 0.001;
   int RaySetUp = 1;
+  std::string WorkGroupShape = "Auto";
+  int SliceExtent = 0;
+  int SliceThreads = 0;
+  int SliceTarget = 0;
+  int SliceOrder = 0;
+  double LightingDamping = 0.0;
+  bool CountSamples = false;
+  bool TimeStages = false;
   int VectorMode = Component;
   int VectorComponent = 0;
 

@@ -91,8 +91,9 @@ struct Camera
 
 enum class Integrator
 {
-  Left,    // sample at the beginning of a step, first order (as VTK's mapper)
-  Midpoint // sample in its middle, second order
+  Left = 0,         // sample at the beginning of a step, first order (as VTK's mapper)
+  Midpoint = 1,     // sample in its middle, second order
+  PreIntegrated = 3 // table over the values at both ends of a step
 };
 
 enum class RaySetUp
@@ -101,12 +102,57 @@ enum class RaySetUp
   Rasterised // the box's back faces are drawn and only the pixels they cover cast a ray
 };
 
+enum class SliceExtent
+{
+  VertexDepth,    // depths of the box's nearest and farthest vertex
+  VertexDistance, // their distances from the eye
+  CentralRay      // entry and exit of the ray through the middle of the picture
+};
+
+enum class SliceTarget
+{
+  Float32,
+  Float16,
+  Unsigned8
+};
+
+struct Slicing
+{
+  SliceExtent Extent = SliceExtent::VertexDepth;
+  SliceTarget Target = SliceTarget::Float32;
+  int Threads = 0; // 0: as many as pay
+  bool BackToFront = false;
+};
+
 struct Sampling
 {
   Integrator Integration = Integrator::Midpoint;
   RaySetUp SetUp = RaySetUp::Rasterised;
   double StepVoxels = 0.5;
   double TerminationThreshold = 0.0; // remaining transmittance at which a ray stops
+  glm::ivec2 WorkGroup{ 0 };         // pixels of a compute work group; 0: to be found by measuring
+  Slicing Slices;
+};
+
+enum class BlendMode
+{
+  Composite,
+  Maximum,
+  Minimum,
+  Average,
+  Gradient // Composite weighted by the difference of the neighbours along the ray
+};
+
+struct Compositing
+{
+  BlendMode Mode = BlendMode::Composite;
+};
+
+/// What is recorded besides the picture, or in place of it.
+struct Measurement
+{
+  bool CountSamples = false;
+  bool TimeStages = false;
 };
 
 struct Light
@@ -122,6 +168,7 @@ struct Lighting
   double Diffuse = 0.7;
   double Specular = 0.2;
   double SpecularPower = 10.0;
+  double Damping = 0.0; // gradient, in data ranges per voxel, below which lighting fades
   std::vector<Light> Lights;
 };
 
@@ -139,8 +186,10 @@ struct Scene
   volumebench::TransferFunction TransferFunction;
   volumebench::Camera Camera;
   volumebench::Sampling Sampling;
+  volumebench::Compositing Compositing;
   volumebench::Lighting Lighting;
   volumebench::Clip Clip;
+  volumebench::Measurement Measurement;
 };
 
 /// The smallest step that is drawn; a shorter one would only hang the machine.

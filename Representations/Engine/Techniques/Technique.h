@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <limits>
 #include <string>
+#include <vector>
 
 class vtkOpenGLRenderWindow;
 
@@ -22,6 +23,13 @@ struct SetUpCosts
   double GridMs = std::numeric_limits<double>::quiet_NaN();
   double CompileMs = std::numeric_limits<double>::quiet_NaN();
   std::size_t BytesOnDevice = 0;
+};
+
+/// One stage of a frame, such as a pass or the making of geometry.
+struct StageTime
+{
+  std::string Name;
+  double Ms = 0.0;
 };
 
 class Technique
@@ -39,6 +47,9 @@ public:
   virtual void Render(const Scene& scene, vtkOpenGLRenderWindow* window) = 0;
 
   virtual SetUpCosts GetSetUpCosts() const = 0;
+
+  /// Stages of the last frame whose scene asked for them; empty for a technique with one stage.
+  virtual std::vector<StageTime> GetStages() const { return {}; }
 
   /// Features compiled into the kernel that drew last.
   virtual FeatureSet GetFeatures() const = 0;
