@@ -33,6 +33,10 @@ FUNC vec4 sampleAt(SCENE_PARAM Ray ray, real along)
 FUNC vec4 integrate(SCENE_PARAM Ray ray, Interval interval)
 {
   vec4 result = VEC4(REAL(0.0), REAL(0.0), REAL(0.0), REAL(0.0));
+  if (interval.end <= interval.begin)
+  {
+    return result;
+  }
   real stepLength = scene.sampling.x;
   int stepCount = TO_INT(ceil((interval.end - interval.begin) / stepLength));
   for (int i = 0; i < stepCount; ++i)
@@ -56,13 +60,20 @@ FUNC vec4 integrate(SCENE_PARAM Ray ray, Interval interval)
   return result;
 }
 
+// Premultiplied colour and opacity of the ray through a pixel; pixels are counted in the window.
 FUNC vec4 castRay(SCENE_PARAM vec2 pixel, real windowDepth)
 {
   Ray ray = rayThroughPixel(SCENE pixel);
-  Interval interval = visibleInterval(SCENE ray, windowDepth);
-  if (interval.end <= interval.begin)
-  {
-    return VEC4(REAL(0.0), REAL(0.0), REAL(0.0), REAL(0.0));
-  }
-  return integrate(SCENE ray, interval);
+  return integrate(SCENE ray, visibleInterval(SCENE ray, windowDepth));
+}
+
+// The same for a ray whose entry into the box, direction and length in it are known.
+FUNC vec4 castRayFrom(SCENE_PARAM vec3 entryPoint, vec4 directionAndLength, real windowDepth)
+{
+  Ray ray = rayFrom(
+    SCENE entryPoint, xyz(directionAndLength), viewDepthAt(SCENE entryPoint));
+  Interval interval;
+  interval.begin = REAL(0.0);
+  interval.end = directionAndLength.w;
+  return integrate(SCENE ray, clipToView(SCENE ray, interval, windowDepth));
 }

@@ -2,10 +2,11 @@
 // planes, in the crop box and in front of opaque geometry. Lengths along a ray are in voxels.
 STRUCT(Ray)
 {
-  vec3 origin;           // voxel space, on the reference plane
+  vec3 origin;           // voxel space: on the reference plane, or where the ray enters the box
   vec3 direction;        // voxel space, length 1
   vec3 textureOrigin;    // the same two in texture space
   vec3 textureDirection;
+  real originDepth;      // view depth of the origin
   real lengthPerVoxel;   // data length of one unit along the ray
 };
 
@@ -15,18 +16,40 @@ STRUCT(Interval)
   real end;
 };
 
+FUNC Ray rayFrom(SCENE_PARAM vec3 origin, vec3 direction, real originDepth)
+{
+  Ray ray;
+  ray.origin = origin;
+  ray.direction = direction;
+  ray.textureOrigin = origin * xyz(scene.textureScale) + xyz(scene.textureOffset);
+  ray.textureDirection = direction * xyz(scene.textureScale);
+  ray.originDepth = originDepth;
+  ray.lengthPerVoxel = length(rowsTimes(scene.dataX, scene.dataY, scene.dataZ, direction));
+  return ray;
+}
+
 FUNC Ray rayThroughPixel(SCENE_PARAM vec2 pixel)
 {
   real x = (pixel.x - scene.viewport.x) * scene.viewport.z - REAL(1.0);
   real y = (pixel.y - scene.viewport.y) * scene.viewport.w - REAL(1.0);
-  Ray ray;
-  ray.origin = xyz(scene.rayOrigin) + x * xyz(scene.rayOriginX) + y * xyz(scene.rayOriginY);
-  ray.direction = normalize(
+  vec3 origin = xyz(scene.rayOrigin) + x * xyz(scene.rayOriginX) + y * xyz(scene.rayOriginY);
+  vec3 direction = normalize(
     xyz(scene.rayDirection) + x * xyz(scene.rayDirectionX) + y * xyz(scene.rayDirectionY));
-  ray.textureOrigin = ray.origin * xyz(scene.textureScale) + xyz(scene.textureOffset);
-  ray.textureDirection = ray.direction * xyz(scene.textureScale);
-  ray.lengthPerVoxel = length(rowsTimes(scene.dataX, scene.dataY, scene.dataZ, ray.direction));
-  return ray;
+  return rayFrom(SCENE origin, direction, scene.viewDepth.w);
+}
+
+// View depth of a point in voxel space. The origins of all pixels' rays lie at depth viewDepth.w.
+FUNC real viewDepthAt(SCENE_PARAM vec3 voxel)
+{
+  return scene.viewDepth.w + dot(xyz(scene.viewDepth), voxel - xyz(scene.rayOrigin));
+}
+
+FUNC vec3 nearPlanePoint(SCENE_PARAM vec2 pixel)
+{
+  Ray ray = rayThroughPixel(SCENE pixel);
+  real depthPerVoxel = dot(xyz(scene.viewDepth), ray.direction);
+  real along = (scene.depthRange.x - ray.originDepth) / depthPerVoxel;
+  return ray.origin + along * ray.direction;
 }
 
 // Part of the interval where low <= origin + t * direction <= high. A ray that runs along the slab
@@ -69,10 +92,9 @@ FUNC Interval clipToCrop(SCENE_PARAM Ray ray, Interval interval)
 // View depth grows with t on every ray that a camera casts, so only one bound can bite at each end.
 FUNC Interval clipToDepths(SCENE_PARAM Ray ray, Interval interval, real nearDepth, real farDepth)
 {
-  real depthAtOrigin = scene.viewDepth.w;
   real depthPerVoxel = dot(xyz(scene.viewDepth), ray.direction);
-  interval.begin = max(interval.begin, (nearDepth - depthAtOrigin) / depthPerVoxel);
-  interval.end = min(interval.end, (farDepth - depthAtOrigin) / depthPerVoxel);
+  interval.begin = max(interval.begin, (nearDepth - ray.originDepth) / depthPerVoxel);
+  interval.end = min(interval.end, (farDepth - ray.originDepth) / depthPerVoxel);
   return interval;
 }
 
@@ -87,13 +109,10 @@ FUNC real viewDepthOfWindowDepth(SCENE_PARAM real windowDepth)
   return scene.depthProjection.y / (deviceZ + scene.depthProjection.x);
 }
 
-// windowDepth is the depth of opaque geometry at the pixel; 1 where there is none.
-FUNC Interval visibleInterval(SCENE_PARAM Ray ray, real windowDepth)
+// The part of an interval inside the box that can be seen. windowDepth is the depth of opaque
+// geometry at the pixel; 1 where there is none.
+FUNC Interval clipToView(SCENE_PARAM Ray ray, Interval interval, real windowDepth)
 {
-  Interval interval;
-  interval.begin = REAL(-1.0e30);
-  interval.end = REAL(1.0e30);
-  interval = clipToBox(SCENE ray, interval);
   real farDepth = scene.depthRange.y;
 #if WITH_OPAQUE_DEPTH
   if (windowDepth < REAL(1.0))
@@ -106,4 +125,13 @@ FUNC Interval visibleInterval(SCENE_PARAM Ray ray, real windowDepth)
   interval = clipToCrop(SCENE ray, interval);
 #endif
   return interval;
+}
+
+FUNC Interval visibleInterval(SCENE_PARAM Ray ray, real windowDepth)
+{
+  Interval interval;
+  interval.begin = REAL(-1.0e30);
+  interval.end = REAL(1.0e30);
+  interval = clipToBox(SCENE ray, interval);
+  return clipToView(SCENE ray, interval, windowDepth);
 }

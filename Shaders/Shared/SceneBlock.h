@@ -18,6 +18,7 @@ SCENE_BLOCK_BEGIN
   vec4 depthRange;      // x, y: near and far view depth; z: 1 for a parallel camera
   vec4 depthProjection; // x, y: the two numbers that turn window depth into view depth
   vec4 viewport;        // x, y: lower left pixel; z, w: 2 / width, 2 / height
+  vec4 rectangle;       // x, y: lower left pixel of all that the box covers; z, w: its size
   vec4 boxHalf;         // xyz: half the size of the box in voxels
   vec4 textureScale;    // xyz: texture coordinate per voxel
   vec4 textureOffset;   // xyz: texture coordinate of the middle of the box

@@ -20,20 +20,23 @@ std::vector<GLint> ReadState()
   {
     state.push_back(glIsEnabled(name));
   }
-  for (const GLenum name :
-    { GL_BLEND_SRC_RGB, GL_BLEND_DST_RGB, GL_BLEND_SRC_ALPHA, GL_BLEND_DST_ALPHA,
-      GL_DEPTH_WRITEMASK, GL_CULL_FACE_MODE, GL_ACTIVE_TEXTURE, GL_CURRENT_PROGRAM,
-      GL_VERTEX_ARRAY_BINDING, GL_UNIFORM_BUFFER_BINDING, GL_DRAW_FRAMEBUFFER_BINDING,
-      GL_READ_FRAMEBUFFER_BINDING, GL_UNPACK_ALIGNMENT, GL_UNPACK_ROW_LENGTH, GL_TEXTURE_BINDING_3D,
-      GL_TEXTURE_BINDING_2D, GL_TEXTURE_BINDING_1D })
+  for (const GLenum name : { GL_BLEND_SRC_RGB, GL_BLEND_DST_RGB, GL_BLEND_SRC_ALPHA,
+         GL_BLEND_DST_ALPHA, GL_DEPTH_WRITEMASK, GL_CULL_FACE_MODE, GL_ACTIVE_TEXTURE,
+         GL_CURRENT_PROGRAM, GL_VERTEX_ARRAY_BINDING, GL_UNIFORM_BUFFER_BINDING,
+         GL_DRAW_FRAMEBUFFER_BINDING, GL_READ_FRAMEBUFFER_BINDING, GL_ARRAY_BUFFER_BINDING,
+         GL_BLEND_EQUATION_RGB, GL_BLEND_EQUATION_ALPHA, GL_UNPACK_ALIGNMENT, GL_UNPACK_ROW_LENGTH,
+         GL_TEXTURE_BINDING_3D, GL_TEXTURE_BINDING_2D, GL_TEXTURE_BINDING_1D })
   {
     GLint value = 0;
     glGetIntegerv(name, &value);
     state.push_back(value);
   }
-  GLint scissor[4];
-  glGetIntegerv(GL_SCISSOR_BOX, scissor);
-  state.insert(state.end(), scissor, scissor + 4);
+  for (const GLenum name : { GL_SCISSOR_BOX, GL_VIEWPORT })
+  {
+    GLint box[4];
+    glGetIntegerv(name, box);
+    state.insert(state.end(), box, box + 4);
+  }
   return state;
 }
 

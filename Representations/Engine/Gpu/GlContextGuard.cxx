@@ -22,6 +22,9 @@ struct GlContextGuard::Saved
     glGetIntegerv(GL_CULL_FACE_MODE, &this->CullMode);
     glGetIntegerv(GL_VERTEX_ARRAY_BINDING, &this->VertexArray);
     glGetIntegerv(GL_UNIFORM_BUFFER_BINDING, &this->UniformBuffer);
+    glGetIntegerv(GL_ARRAY_BUFFER_BINDING, &this->ArrayBuffer);
+    glGetIntegerv(GL_BLEND_EQUATION_RGB, &this->BlendEquationRgb);
+    glGetIntegerv(GL_BLEND_EQUATION_ALPHA, &this->BlendEquationAlpha);
     glGetIntegerv(GL_UNPACK_ALIGNMENT, &this->UnpackAlignment);
     glGetIntegerv(GL_UNPACK_ROW_LENGTH, &this->UnpackRowLength);
     this->DepthClamp = glIsEnabled(GL_DEPTH_CLAMP);
@@ -34,6 +37,8 @@ struct GlContextGuard::Saved
     this->Cache->vtkglCullFace(this->CullMode);
     glBindVertexArray(this->VertexArray);
     glBindBuffer(GL_UNIFORM_BUFFER, this->UniformBuffer);
+    glBindBuffer(GL_ARRAY_BUFFER, this->ArrayBuffer);
+    this->Cache->vtkglBlendEquationSeparate(this->BlendEquationRgb, this->BlendEquationAlpha);
     this->Cache->vtkglPixelStorei(GL_UNPACK_ALIGNMENT, this->UnpackAlignment);
     this->Cache->vtkglPixelStorei(GL_UNPACK_ROW_LENGTH, this->UnpackRowLength);
     (this->DepthClamp ? glEnable : glDisable)(GL_DEPTH_CLAMP);
@@ -51,6 +56,9 @@ struct GlContextGuard::Saved
   GLint CullMode = GL_BACK;
   GLint VertexArray = 0;
   GLint UniformBuffer = 0;
+  GLint ArrayBuffer = 0;
+  GLint BlendEquationRgb = GL_FUNC_ADD;
+  GLint BlendEquationAlpha = GL_FUNC_ADD;
   GLint UnpackAlignment = 4;
   GLint UnpackRowLength = 0;
   GLboolean DepthClamp = GL_FALSE;

@@ -21,7 +21,7 @@ using SceneBlock = SceneBlockOf<glm::vec4>;
 using SceneBlock64 = SceneBlockOf<glm::dvec4>;
 
 constexpr int LightLimit = LIGHT_LIMIT;
-constexpr std::size_t SceneBlockVectors = 34 + 2 * LIGHT_LIMIT;
+constexpr std::size_t SceneBlockVectors = 35 + 2 * LIGHT_LIMIT;
 
 // The kernels read the block as std140: a plain run of vec4.
 static_assert(sizeof(SceneBlock) == SceneBlockVectors * sizeof(glm::vec4), "padding in SceneBlock");

@@ -152,6 +152,7 @@ SceneBlock64 PackScene(const Scene& scene)
   const glm::dmat4 voxelToView = scene.Camera.WorldToView * volume.VoxelToWorld;
   PackRays(scene, voxelToView, block);
   PackProjection(scene.Camera, block);
+  block.rectangle = glm::dvec4(ScreenRectangle(scene));
   block.boxHalf = { volume.BoxHalf, 0.0 };
   const glm::dvec3 texels(volume.Texels);
   block.textureScale = { 1.0 / texels, 0.0 };

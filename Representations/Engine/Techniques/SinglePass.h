@@ -3,38 +3,19 @@
 #ifndef volumebench_SinglePass_h
 #define volumebench_SinglePass_h
 
-#include "Gpu/GlProgram.h"
-#include "Gpu/OpaqueDepth.h"
-#include "Gpu/SceneTextures.h"
-#include "Techniques/Technique.h"
-
-#include <map>
-#include <memory>
+#include "Techniques/OpenGlTechnique.h"
 
 namespace volumebench
 {
-class SinglePass : public Technique
+class SinglePass : public OpenGlTechnique
 {
-public:
-  void Prepare(const Scene& scene, vtkOpenGLRenderWindow* window) override;
-  void Render(const Scene& scene, vtkOpenGLRenderWindow* window) override;
-  SetUpCosts GetSetUpCosts() const override;
-  FeatureSet GetFeatures() const override { return this->Features; }
-  void Release() override;
-  void Forget() override;
+protected:
+  void Compile(const Scene& scene) override;
+  void Draw(
+    const Scene& scene, vtkOpenGLRenderWindow* window, const glm::ivec4& rectangle) override;
 
 private:
-  const GlProgram& ProgramFor(const FeatureSet& features);
-  void UploadBlock(const Scene& scene);
-  void Draw(const Scene& scene, vtkOpenGLRenderWindow* window);
-
-  SceneTextures Textures;
-  OpaqueDepth Depth;
-  std::map<unsigned long, std::unique_ptr<GlProgram>> Programs; // by feature bits
-  FeatureSet Features;
-  double CompileMs = 0.0;
-  unsigned int SceneBuffer = 0;
-  unsigned int VertexArray = 0; // empty: the vertex stage makes its own positions
+  const GlProgram& Program();
 };
 }
 

@@ -1,0 +1,94 @@
+// What all techniques on OpenGL share: the scene's textures and numbers on the device, programs
+// compiled once for each set of features, and drawing over the window with its state left as found.
+// A technique adds its kernels and the order in which it draws them.
+#ifndef volumebench_OpenGlTechnique_h
+#define volumebench_OpenGlTechnique_h
+
+#include "Gpu/FrameStages.h"
+#include "Gpu/GlProgram.h"
+#include "Gpu/GlTexture.h"
+#include "Gpu/OpaqueDepth.h"
+#include "Gpu/SceneTextures.h"
+#include "Techniques/BoxFaces.h"
+#include "Techniques/Technique.h"
+
+#include <glm/vec4.hpp>
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace volumebench
+{
+class OpenGlTechnique : public Technique
+{
+public:
+  void Prepare(const Scene& scene, vtkOpenGLRenderWindow* window) final;
+  void Render(const Scene& scene, vtkOpenGLRenderWindow* window) final;
+  SetUpCosts GetSetUpCosts() const final;
+  std::vector<StageTime> GetStages() const final { return this->LastStages; }
+  FeatureSet GetFeatures() const final { return this->Features; }
+  void Release() final;
+  void Forget() final;
+
+protected:
+  /// What the kernels of this technique take of the scene's features; all unless overridden.
+  virtual FeatureSet FeaturesFor(const Scene& scene) const { return FeaturesNeededBy(scene); }
+
+  /// Asks for the programs of the frame by ProgramOf, so that drawing compiles nothing.
+  virtual void Compile(const Scene& scene) = 0;
+
+  /// Draws. `rectangle` (x, y, width, height in window pixels) holds all that the volume covers
+  /// and is not empty; the scene's block is bound.
+  virtual void Draw(
+    const Scene& scene, vtkOpenGLRenderWindow* window, const glm::ivec4& rectangle) = 0;
+
+  ///@{
+  /// GPU objects that the technique has beside those of this class.
+  virtual void ReleaseOwn() {}
+  virtual void ForgetOwn() {}
+  virtual std::size_t GetOwnBytes() const { return 0; }
+  ///@}
+
+  /// The program of these entry files (.vert, .frag, .comp) with the features in use; `defines` is
+  /// put in front of each. Compiled when it is asked for the first time.
+  const GlProgram& ProgramOf(
+    const std::vector<const char*>& entries, const std::string& defines = {});
+
+  /// Binds the program and the textures that its features read.
+  void BindWithScene(const GlProgram& program, vtkOpenGLRenderWindow* window, TextureUnits& units);
+
+  /// Draws one triangle over the viewport; scissored to `rectangle` unless that is null.
+  void DrawTriangle(vtkOpenGLRenderWindow* window, const glm::ivec4* rectangle);
+
+  /// Draws the faces of the volume's box that look away from the camera (`back`) or towards it.
+  void DrawBoxFaces(const Scene& scene, vtkOpenGLRenderWindow* window, bool back);
+
+  /// Fills `faces` as a stage of the frame.
+  void FillBoxFaces(const Scene& scene, vtkOpenGLRenderWindow* window, const glm::ivec4& rectangle,
+    BoxFaces& faces);
+  BoxFaces::Programs BoxFacePrograms();
+
+  /// Blends premultiplied colour over what is there; depth is not tested.
+  static void BlendOver(vtkOpenGLRenderWindow* window);
+  static void BlendOff(vtkOpenGLRenderWindow* window);
+
+  FrameStages& GetFrameStages() { return this->Stages; }
+
+private:
+  void UploadBlock(const Scene& scene);
+
+  SceneTextures Textures;
+  OpaqueDepth Depth;
+  FrameStages Stages;
+  std::vector<StageTime> LastStages;
+  std::map<std::string, std::unique_ptr<GlProgram>> Programs; // by entries, features and defines
+  FeatureSet Features;
+  double CompileMs = 0.0;
+  unsigned int SceneBuffer = 0;
+  unsigned int VertexArray = 0; // empty: the vertex stages make their own positions
+};
+}
+
+#endif
