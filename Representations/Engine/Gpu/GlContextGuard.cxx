@@ -16,10 +16,13 @@ struct GlContextGuard::Saved
     , BlendFunction(state)
     , DepthMask(state)
     , Scissor(state)
-    , ActiveTexture(state)
     , Cache(state)
   {
+    glGetIntegerv(GL_ACTIVE_TEXTURE, &this->ActiveUnit);
     glGetIntegerv(GL_CULL_FACE_MODE, &this->CullMode);
+    glGetIntegerv(GL_TEXTURE_BINDING_1D, &this->Texture1d);
+    glGetIntegerv(GL_TEXTURE_BINDING_2D, &this->Texture2d);
+    glGetIntegerv(GL_TEXTURE_BINDING_3D, &this->Texture3d);
     glGetIntegerv(GL_VERTEX_ARRAY_BINDING, &this->VertexArray);
     glGetIntegerv(GL_UNIFORM_BUFFER_BINDING, &this->UniformBuffer);
     glGetIntegerv(GL_ARRAY_BUFFER_BINDING, &this->ArrayBuffer);
@@ -35,6 +38,10 @@ struct GlContextGuard::Saved
   ~Saved()
   {
     this->Cache->vtkglCullFace(this->CullMode);
+    this->Cache->vtkglActiveTexture(this->ActiveUnit);
+    glBindTexture(GL_TEXTURE_1D, this->Texture1d);
+    glBindTexture(GL_TEXTURE_2D, this->Texture2d);
+    glBindTexture(GL_TEXTURE_3D, this->Texture3d);
     glBindVertexArray(this->VertexArray);
     glBindBuffer(GL_UNIFORM_BUFFER, this->UniformBuffer);
     glBindBuffer(GL_ARRAY_BUFFER, this->ArrayBuffer);
@@ -51,8 +58,11 @@ struct GlContextGuard::Saved
   vtkOpenGLState::ScopedglBlendFuncSeparate BlendFunction;
   vtkOpenGLState::ScopedglDepthMask DepthMask;
   vtkOpenGLState::ScopedglScissor Scissor;
-  vtkOpenGLState::ScopedglActiveTexture ActiveTexture;
   vtkOpenGLState* Cache;
+  GLint ActiveUnit = GL_TEXTURE0;
+  GLint Texture1d = 0; // of the active unit, on which textures are uploaded
+  GLint Texture2d = 0;
+  GLint Texture3d = 0;
   GLint CullMode = GL_BACK;
   GLint VertexArray = 0;
   GLint UniformBuffer = 0;
