@@ -1,3 +1,4 @@
 # The list of techniques: one row each, and the only existing file that a new technique edits.
 # The order is the order in ParaView's menus. CONTRIBUTING.md tells how to add one.
 volumebench_technique(single-pass CLASS SinglePass LABEL "Volume Single Pass")
+volumebench_technique(multi-pass CLASS MultiPass LABEL "Volume Multi Pass")
