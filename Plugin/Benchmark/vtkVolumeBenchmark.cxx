@@ -199,7 +199,7 @@ void vtkVolumeBenchmark::Measure(vtkImageData* image, vtkTable* table)
   const volumebench::Volume volume = volumebench::VolumeBuilder().Build(image,
     { input.CellArray ? VTK_SCALAR_MODE_USE_CELL_FIELD_DATA : VTK_SCALAR_MODE_USE_POINT_FIELD_DATA,
       VTK_GET_ARRAY_BY_NAME, -1, input.ArrayName.c_str() },
-    this->VectorMode == 0 ? -1 : this->VectorComponent, false, nullptr);
+    { this->VectorMode == 0 ? -1 : this->VectorComponent }, false, nullptr);
   vtkNew<vtkVolumeProperty> property;
   this->FillProperty(image, volume.FiniteRange, property);
   input.Property = property;

@@ -6,6 +6,7 @@ using vec4 = glm::vec<4, real>;
 using glm::ceil;
 using glm::dot;
 using glm::exp;
+using glm::floor;
 using glm::length;
 using glm::max;
 using glm::min;
@@ -34,8 +35,11 @@ using std::fabs;
 struct BackendScene : SceneBlock
 {
   std::function<real(vec3)> field; // by texture coordinate
+  std::function<vec4(vec3)> texel; // the same for several components
   std::function<vec4(real)> table; // by table coordinate
-  std::function<bool(vec3)> blank; // by texture coordinate
+  std::function<vec4(real, real)> segmentTable;
+  std::function<real(real)> gradientTable;
+  std::function<int(int, int, int)> blanking; // by cell
 };
 
 FUNC real fieldAt(SCENE_PARAM vec3 position)
@@ -43,14 +47,27 @@ FUNC real fieldAt(SCENE_PARAM vec3 position)
   return scene.field(position);
 }
 
+FUNC vec4 texelAt(SCENE_PARAM vec3 position)
+{
+  return scene.texel(position);
+}
+
 FUNC vec4 tableAt(SCENE_PARAM real coordinate)
 {
   return scene.table(coordinate);
 }
 
-#if WITH_BLANKING
-FUNC bool isBlank(SCENE_PARAM vec3 position)
+FUNC vec4 segmentTableAt(SCENE_PARAM real front, real back)
 {
-  return scene.blank(position);
+  return scene.segmentTable(front, back);
 }
-#endif
+
+FUNC real gradientTableAt(SCENE_PARAM real coordinate)
+{
+  return scene.gradientTable(coordinate);
+}
+
+FUNC int blankingAt(SCENE_PARAM int x, int y, int z)
+{
+  return scene.blanking(x, y, z);
+}

@@ -1,4 +1,4 @@
-// CUDA C++. The scene travels by reference with its two texture objects.
+// CUDA C++. The scene travels by reference with its texture objects.
 #include "Dialects/CudaVectors.h"
 
 typedef float real;
@@ -28,11 +28,33 @@ struct BackendScene : SceneBlock
 {
   cudaTextureObject_t volumeTexture;
   cudaTextureObject_t tableTexture;
+  cudaTextureObject_t segmentTexture;         // with WITH_PREINTEGRATED
+  cudaTextureObject_t gradientOpacityTexture; // with WITH_GRADIENT_OPACITY
+  cudaTextureObject_t blankingTexture;        // with WITH_BLANKING; not filtered nor normalized
 };
 
+#if WITH_DIRECT_COLOR || WITH_OPACITY_CHANNEL
+FUNC vec4 texelAt(SCENE_PARAM vec3 position)
+{
+#if WITH_DIRECT_COLOR
+  return tex3D<float4>(scene.volumeTexture, position.x, position.y, position.z);
+#else
+  float2 texel = tex3D<float2>(scene.volumeTexture, position.x, position.y, position.z);
+  return make_float4(texel.x, texel.y, 0.0f, 0.0f);
+#endif
+}
+#endif
+
+// The component that opacity is looked up by.
 FUNC real fieldAt(SCENE_PARAM vec3 position)
 {
+#if WITH_DIRECT_COLOR
+  return tex3D<float4>(scene.volumeTexture, position.x, position.y, position.z).w;
+#elif WITH_OPACITY_CHANNEL
+  return tex3D<float2>(scene.volumeTexture, position.x, position.y, position.z).y;
+#else
   return tex3D<float>(scene.volumeTexture, position.x, position.y, position.z);
+#endif
 }
 
 FUNC vec4 tableAt(SCENE_PARAM real coordinate)
@@ -40,10 +62,23 @@ FUNC vec4 tableAt(SCENE_PARAM real coordinate)
   return tex1D<float4>(scene.tableTexture, coordinate);
 }
 
-#if WITH_BLANKING
-// Blank texels are stored as NaN in the volume texture, which filtering spreads to their cells.
-FUNC bool isBlank(SCENE_PARAM vec3 position)
+#if WITH_PREINTEGRATED
+FUNC vec4 segmentTableAt(SCENE_PARAM real front, real back)
 {
-  return isnan(fieldAt(SCENE position));
+  return tex2D<float4>(scene.segmentTexture, front, back);
+}
+#endif
+
+#if WITH_GRADIENT_OPACITY
+FUNC real gradientTableAt(SCENE_PARAM real coordinate)
+{
+  return tex1D<float>(scene.gradientOpacityTexture, coordinate);
+}
+#endif
+
+#if WITH_BLANKING
+FUNC int blankingAt(SCENE_PARAM int x, int y, int z)
+{
+  return tex3D<unsigned char>(scene.blankingTexture, x + 0.5f, y + 0.5f, z + 0.5f);
 }
 #endif

@@ -3,9 +3,23 @@
 uniform sampler3D volumeTexture;
 uniform sampler1D transferFunctionTexture;
 
+#if WITH_DIRECT_COLOR || WITH_OPACITY_CHANNEL
+vec4 texelAt(vec3 position)
+{
+  return textureLod(volumeTexture, position, 0.0);
+}
+#endif
+
+// The component that opacity is looked up by.
 real fieldAt(vec3 position)
 {
+#if WITH_DIRECT_COLOR
+  return textureLod(volumeTexture, position, 0.0).w;
+#elif WITH_OPACITY_CHANNEL
+  return textureLod(volumeTexture, position, 0.0).y;
+#else
   return textureLod(volumeTexture, position, 0.0).x;
+#endif
 }
 
 vec4 tableAt(real coordinate)
@@ -13,14 +27,30 @@ vec4 tableAt(real coordinate)
   return textureLod(transferFunctionTexture, coordinate, 0.0);
 }
 
+#if WITH_PREINTEGRATED
+uniform sampler2D segmentTexture;
+
+vec4 segmentTableAt(real front, real back)
+{
+  return textureLod(segmentTexture, vec2(front, back), 0.0);
+}
+#endif
+
+#if WITH_GRADIENT_OPACITY
+uniform sampler1D gradientOpacityTexture;
+
+real gradientTableAt(real coordinate)
+{
+  return textureLod(gradientOpacityTexture, coordinate, 0.0).x;
+}
+#endif
+
 #if WITH_BLANKING
-// One entry for each cell between two texels and one for the border on either side, so that a
-// position is blank exactly where one of the texels it would be filtered from is.
 uniform usampler3D blankingTexture;
 
-bool isBlank(vec3 position)
+int blankingAt(int x, int y, int z)
 {
-  ivec3 cell = ivec3(floor(position * scene.textureSize.xyz - 0.5)) + 1;
-  return texelFetch(blankingTexture, clamp(cell, ivec3(0), ivec3(scene.textureSize.xyz)), 0).x != 0u;
+  ivec3 cell = clamp(ivec3(x, y, z), ivec3(0), ivec3(scene.textureSize.xyz));
+  return int(texelFetch(blankingTexture, cell, 0).x);
 }
 #endif

@@ -1,5 +1,5 @@
 // OpenCL C 1.2, built with -cl-single-precision-constant. Images cannot sit in structs, so every
-// function that samples takes them beside the scene.
+// function that samples takes those that its features need beside the scene.
 typedef float real;
 typedef float2 vec2;
 typedef float3 vec3;
@@ -8,9 +8,31 @@ typedef float4 vec4;
 #define STRUCT(name)                                                                               \
   typedef struct name name;                                                                        \
   struct name
+#if WITH_PREINTEGRATED
+#define SEGMENT_PARAM read_only image2d_t segmentImage,
+#define SEGMENT segmentImage,
+#else
+#define SEGMENT_PARAM
+#define SEGMENT
+#endif
+#if WITH_GRADIENT_OPACITY
+#define GRADIENT_PARAM read_only image2d_t gradientOpacityImage,
+#define GRADIENT gradientOpacityImage,
+#else
+#define GRADIENT_PARAM
+#define GRADIENT
+#endif
+#if WITH_BLANKING
+#define BLANKING_PARAM read_only image3d_t blankingImage,
+#define BLANKING blankingImage,
+#else
+#define BLANKING_PARAM
+#define BLANKING
+#endif
 #define SCENE_PARAM                                                                                \
-  const SceneBlock scene, read_only image3d_t volumeImage, read_only image2d_t tableImage,
-#define SCENE scene, volumeImage, tableImage,
+  const SceneBlock scene, read_only image3d_t volumeImage,                                         \
+    read_only image2d_t tableImage, SEGMENT_PARAM GRADIENT_PARAM BLANKING_PARAM
+#define SCENE scene, volumeImage, tableImage, SEGMENT GRADIENT BLANKING
 #define REAL(x) ((float)(x))
 #define TO_REAL(x) ((float)(x))
 #define TO_INT(x) ((int)(x))
@@ -29,9 +51,24 @@ typedef float4 vec4;
 constant sampler_t linearSampler =
   CLK_NORMALIZED_COORDS_TRUE | CLK_ADDRESS_CLAMP_TO_EDGE | CLK_FILTER_LINEAR;
 
+#if WITH_DIRECT_COLOR || WITH_OPACITY_CHANNEL
+FUNC vec4 texelAt(SCENE_PARAM vec3 position)
+{
+  return read_imagef(volumeImage, linearSampler, (float4)(position, 0.0f));
+}
+#endif
+
+// The component that opacity is looked up by.
 FUNC real fieldAt(SCENE_PARAM vec3 position)
 {
-  return read_imagef(volumeImage, linearSampler, (float4)(position, 0.0f)).x;
+  float4 texel = read_imagef(volumeImage, linearSampler, (float4)(position, 0.0f));
+#if WITH_DIRECT_COLOR
+  return texel.w;
+#elif WITH_OPACITY_CHANNEL
+  return texel.y;
+#else
+  return texel.x;
+#endif
 }
 
 FUNC vec4 tableAt(SCENE_PARAM real coordinate)
@@ -39,10 +76,26 @@ FUNC vec4 tableAt(SCENE_PARAM real coordinate)
   return read_imagef(tableImage, linearSampler, (float2)(coordinate, 0.5f));
 }
 
-#if WITH_BLANKING
-// Blank texels are stored as NaN in the volume image, which filtering spreads to their cells.
-FUNC bool isBlank(SCENE_PARAM vec3 position)
+#if WITH_PREINTEGRATED
+FUNC vec4 segmentTableAt(SCENE_PARAM real front, real back)
 {
-  return isnan(fieldAt(SCENE position)) != 0;
+  return read_imagef(segmentImage, linearSampler, (float2)(front, back));
+}
+#endif
+
+#if WITH_GRADIENT_OPACITY
+FUNC real gradientTableAt(SCENE_PARAM real coordinate)
+{
+  return read_imagef(gradientOpacityImage, linearSampler, (float2)(coordinate, 0.5f)).x;
+}
+#endif
+
+#if WITH_BLANKING
+constant sampler_t texelSampler =
+  CLK_NORMALIZED_COORDS_FALSE | CLK_ADDRESS_CLAMP_TO_EDGE | CLK_FILTER_NEAREST;
+
+FUNC int blankingAt(SCENE_PARAM int x, int y, int z)
+{
+  return (int)read_imageui(blankingImage, texelSampler, (int4)(x, y, z, 0)).x;
 }
 #endif

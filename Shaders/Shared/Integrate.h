@@ -1,63 +1,98 @@
 // The one owner of the loop along a ray: I = integral of C tau exp(-A) dt with A = integral of tau.
-// Each step is the exact exponential of a sampled extinction times the step's length, so that
-// opacity stays in [0, 1] for any extinction. Left samples where a step begins (first order, as
-// VTK does), Midpoint in its middle (second order); Etiene et al., TVCG 2014, give the orders.
+// Each step is the exact exponential of an extinction times the step's length, so that opacity stays
+// in [0, 1] for any extinction. Left samples where a step begins (first order, as VTK does), Midpoint
+// in its middle (second order), PreIntegrated looks up the mean over all values between its two ends
+// (second order, and exact for any transfer function along a linear field); Etiene et al., TVCG
+// 2014, give the orders.
 
-// Colour and extinction at the distance `along` (voxels) on the ray.
-FUNC vec4 sampleAt(SCENE_PARAM Ray ray, real along)
+// The field at an end of a step; only pre-integration needs it.
+FUNC real endValue(SCENE_PARAM Ray ray, real along)
 {
-  vec3 position = ray.textureOrigin + along * ray.textureDirection;
-  vec4 sampled = classify(SCENE fieldAt(SCENE position));
-#if WITH_BLANKING
-  if (isBlank(SCENE position))
-  {
-    sampled.w = REAL(0.0);
-  }
+#if WITH_PREINTEGRATED
+  return fieldAt(SCENE texturePositionOf(ray, along));
+#else
+  return REAL(0.0);
 #endif
-#if WITH_LIGHTING
-  if (sampled.w > REAL(0.0))
-  {
-    vec3 voxel = ray.origin + along * ray.direction;
-    vec3 world = rowsTimes(scene.worldX, scene.worldY, scene.worldZ, voxel);
-    vec3 toEye =
-      -normalize(rowsTimes(scene.worldX, scene.worldY, scene.worldZ, ray.direction));
-    vec3 lit = shade(SCENE xyz(sampled), worldGradientAt(SCENE position), world, toEye);
-    sampled = VEC4(lit.x, lit.y, lit.z, sampled.w);
-  }
-#endif
-  return sampled;
 }
 
-// Premultiplied colour and opacity of the interval. Sample positions are begin + i * step from an
-// integer i, so a later jump over empty space lands on the same samples; the last step may be short.
+FUNC real samplePoint(real stepBegin, real width)
+{
+#if WITH_MIDPOINT
+  return stepBegin + REAL(0.5) * width;
+#else
+  return stepBegin;
+#endif
+}
+
+#if WITH_MAXIMUM_BLEND || WITH_MINIMUM_BLEND || WITH_AVERAGE_BLEND
+FUNC vec4 contributionOf(SCENE_PARAM Ray ray, real stepBegin, real width, real front, real back)
+{
+  real along = samplePoint(stepBegin, width);
+#if WITH_BLANKING || WITH_CROP_REGIONS
+  if (isHidden(SCENE ray, along))
+  {
+    return emptyRay();
+  }
+#endif
+  return valueContribution(fieldAt(SCENE texturePositionOf(ray, along)), width);
+}
+#else
+// Premultiplied colour and opacity of one step, whose ends have the values `front` and `back`.
+FUNC vec4 contributionOf(SCENE_PARAM Ray ray, real stepBegin, real width, real front, real back)
+{
+  real along = samplePoint(stepBegin, width);
+#if WITH_PREINTEGRATED
+  vec4 sampled = appearanceAt(SCENE ray, along, classifySegment(SCENE front, back));
+#else
+  vec4 sampled = sampleAt(SCENE ray, along);
+#endif
+  real opacity = opacityOfDepth(sampled.w * (width * ray.lengthPerVoxel));
+  return VEC4(opacity * sampled.x, opacity * sampled.y, opacity * sampled.z, opacity);
+}
+#endif
+
+// What is written for a ray: premultiplied colour and opacity, or for measuring samples taken,
+// samples skipped and whether the ray stopped early.
+FUNC vec4 pixelOf(SCENE_PARAM vec4 ray, int samplesTaken, real stopped)
+{
+#if WITH_SAMPLE_COUNT
+  return VEC4(TO_REAL(samplesTaken), REAL(0.0), stopped, REAL(0.0));
+#else
+  return finishRay(SCENE ray);
+#endif
+}
+
+// The pixel of the part of a ray in the interval. Sample positions are begin + i * step from an integer
+// i, so a later jump over empty space lands on the same samples; the last step may be short.
 FUNC vec4 integrate(SCENE_PARAM Ray ray, Interval interval)
 {
-  vec4 result = VEC4(REAL(0.0), REAL(0.0), REAL(0.0), REAL(0.0));
-  if (interval.end <= interval.begin)
-  {
-    return result;
-  }
+  vec4 result = emptyRay();
   real stepLength = scene.sampling.x;
-  int stepCount = TO_INT(ceil((interval.end - interval.begin) / stepLength));
+  int stepCount = 0;
+  int taken = 0;
+  real stopped = REAL(0.0);
+  if (interval.end > interval.begin)
+  {
+    stepCount = TO_INT(ceil((interval.end - interval.begin) / stepLength));
+  }
+  real front = endValue(SCENE ray, interval.begin);
   for (int i = 0; i < stepCount; ++i)
   {
     real stepBegin = interval.begin + TO_REAL(i) * stepLength;
     real width = min(stepLength, interval.end - stepBegin);
-#if WITH_MIDPOINT
-    vec4 sampled = sampleAt(SCENE ray, stepBegin + REAL(0.5) * width);
-#else
-    vec4 sampled = sampleAt(SCENE ray, stepBegin);
-#endif
-    real opticalDepth = sampled.w * (width * ray.lengthPerVoxel);
-    result = compositeBehind(result, xyz(sampled), opacityOfDepth(opticalDepth));
+    real back = endValue(SCENE ray, stepBegin + width);
+    result = accumulate(result, contributionOf(SCENE ray, stepBegin, width, front, back));
+    front = back;
+    taken = i + 1;
 #if WITH_TERMINATION
-    if (result.w >= scene.sampling.y)
+    if (isFinished(SCENE result))
     {
+      stopped = REAL(1.0);
       break;
     }
 #endif
   }
-  return result;
+  return pixelOf(SCENE result, taken, stopped);
 }
 
 // Premultiplied colour and opacity of the ray through a pixel; pixels are counted in the window.
@@ -76,4 +111,21 @@ FUNC vec4 castRayFrom(SCENE_PARAM vec3 entryPoint, vec4 directionAndLength, real
   interval.begin = REAL(0.0);
   interval.end = directionAndLength.w;
   return integrate(SCENE ray, clipToView(SCENE ray, interval, windowDepth));
+}
+
+// What one slab of slicing adds to a ray: its part between two view depths, as one step. The length
+// is that of the ray, so it grows to the edge of a perspective picture as the papers' does not.
+FUNC vec4 castSlab(SCENE_PARAM Ray ray, Interval visible, real nearDepth, real farDepth)
+{
+  Interval slab = clipToDepths(SCENE ray, visible, nearDepth, farDepth);
+  if (slab.end <= slab.begin)
+  {
+    return emptyRay();
+  }
+#if WITH_SAMPLE_COUNT
+  return VEC4(REAL(1.0), REAL(0.0), REAL(0.0), REAL(0.0));
+#else
+  return contributionOf(SCENE ray, slab.begin, slab.end - slab.begin,
+    endValue(SCENE ray, slab.begin), endValue(SCENE ray, slab.end));
+#endif
 }

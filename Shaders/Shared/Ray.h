@@ -89,6 +89,31 @@ FUNC Interval clipToCrop(SCENE_PARAM Ray ray, Interval interval)
   return clipToSlab(interval, origin.z, direction.z, REAL(0.0), REAL(1.0));
 }
 
+#if WITH_CLIP_PLANES
+FUNC Interval clipToPlanes(SCENE_PARAM Ray ray, Interval interval)
+{
+  int count = TO_INT(scene.clipPlaneCount.x);
+  for (int i = 0; i < count; ++i)
+  {
+    real atOrigin = dot(xyz(scene.clipPlane[i]), ray.origin) + scene.clipPlane[i].w;
+    real perVoxel = dot(xyz(scene.clipPlane[i]), ray.direction);
+    if (fabs(perVoxel) < REAL(1.0e-12))
+    {
+      interval.end = atOrigin < REAL(0.0) ? interval.begin : interval.end;
+    }
+    else if (perVoxel > REAL(0.0))
+    {
+      interval.begin = max(interval.begin, -atOrigin / perVoxel);
+    }
+    else
+    {
+      interval.end = min(interval.end, -atOrigin / perVoxel);
+    }
+  }
+  return interval;
+}
+#endif
+
 // View depth grows with t on every ray that a camera casts, so only one bound can bite at each end.
 FUNC Interval clipToDepths(SCENE_PARAM Ray ray, Interval interval, real nearDepth, real farDepth)
 {
@@ -123,6 +148,9 @@ FUNC Interval clipToView(SCENE_PARAM Ray ray, Interval interval, real windowDept
   interval = clipToDepths(SCENE ray, interval, scene.depthRange.x, farDepth);
 #if WITH_CROP
   interval = clipToCrop(SCENE ray, interval);
+#endif
+#if WITH_CLIP_PLANES
+  interval = clipToPlanes(SCENE ray, interval);
 #endif
   return interval;
 }

@@ -6,6 +6,7 @@
 // the grid's own lengths, in which opacity is given per unit distance, as in VTK; "world" adds the
 // prop's transform and is the space of lights, relative to the middle of the box.
 #define LIGHT_LIMIT 8
+#define CLIP_PLANE_LIMIT 8
 
 SCENE_BLOCK_BEGIN
   vec4 rayOrigin;       // xyz: voxel point at the middle of the viewport on the reference plane
@@ -39,10 +40,21 @@ SCENE_BLOCK_BEGIN
   vec4 cropX;           // dot(xyz, voxel) + w is in [0, 1] inside the crop box, first axis
   vec4 cropY;           // second axis
   vec4 cropZ;           // third axis
-  vec4 classification;  // x, y: scale and offset from a stored value to a table coordinate
-  vec4 sampling;        // x: step in voxels; y: opacity at which a ray stops
+  vec4 cropRegions;     // x, y: flags of the first 14 and the other 13 of the 27 crop regions
+  vec4 clipPlaneCount;  // x: number of clip planes in use
+  vec4 classification;  // x, y: scale and offset from a stored value to a table coordinate; z, w:
+                        // the same for the component that gives the colour, where there are two
+  vec4 segments;        // x, y: the same for a coordinate of the pre-integrated table
+  vec4 extremes;        // x, y: stored values at which Minimum and Maximum stop; z: 1 / their span
+  vec4 gradientX;       // xyz: first row of the matrix from differences to gradients in data units
+  vec4 gradientY;       // xyz: second row
+  vec4 gradientZ;       // xyz: third row
+  vec4 gradientOpacity; // x, y: scale and offset from gradient magnitude to its table coordinate
+  vec4 sampling;        // x: step in voxels; y: opacity at which a ray stops; z: the distance over
+                        // which opacity is given, in data units
   vec4 material;        // ambient, diffuse, specular, specular power
-  vec4 lightCount;      // x: number of lights in use
+  vec4 lightCount;      // x: number of lights in use; y: weight of lighting per stored difference
   vec4 lightPosition[LIGHT_LIMIT]; // w 0: xyz is the direction to the light; w 1: its position
   vec4 lightColor[LIGHT_LIMIT];    // rgb times intensity
+  vec4 clipPlane[CLIP_PLANE_LIMIT]; // dot(xyz, voxel) + w is positive where the volume is kept
 SCENE_BLOCK_END

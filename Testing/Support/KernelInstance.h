@@ -43,14 +43,26 @@ using real = KERNEL_REAL;
 #undef SCENE_BLOCK_BEGIN
 #undef SCENE_BLOCK_END
 #undef LIGHT_LIMIT
+#undef CLIP_PLANE_LIMIT
 
 // Every feature of Scene/Features.cxx; the Kernels tests notice one that is missing here.
 #undef WITH_MIDPOINT
+#undef WITH_PREINTEGRATED
 #undef WITH_TERMINATION
 #undef WITH_OPAQUE_DEPTH
 #undef WITH_CROP
+#undef WITH_CROP_REGIONS
+#undef WITH_CLIP_PLANES
 #undef WITH_BLANKING
 #undef WITH_LIGHTING
+#undef WITH_GRADIENT_OPACITY
+#undef WITH_OPACITY_CHANNEL
+#undef WITH_DIRECT_COLOR
+#undef WITH_MAXIMUM_BLEND
+#undef WITH_MINIMUM_BLEND
+#undef WITH_AVERAGE_BLEND
+#undef WITH_GRADIENT_BLEND
+#undef WITH_SAMPLE_COUNT
 #undef WITH_RASTERISED_SETUP
 
 #undef KERNEL_NAMESPACE

@@ -22,7 +22,7 @@ const ArrayRequest PointField{ VTK_SCALAR_MODE_USE_POINT_FIELD_DATA, VTK_GET_ARR
 
 Volume Build(vtkImageData* image, const ArrayRequest& request = PointField, int component = 0)
 {
-  return VolumeBuilder().Build(image, request, component, false, nullptr);
+  return VolumeBuilder().Build(image, request, { component }, false, nullptr);
 }
 
 std::string FailureOf(vtkImageData* image, const ArrayRequest& request = PointField)
@@ -85,7 +85,7 @@ TEST(VolumeBuilder, DirectionAndActorMatricesApply)
   image->SetDirectionMatrix(0, -1, 0, 1, 0, 0, 0, 0, 1);
   vtkNew<vtkMatrix4x4> actor;
   actor->SetElement(0, 3, 100.0);
-  const Volume volume = VolumeBuilder().Build(image, PointField, 0, false, actor);
+  const Volume volume = VolumeBuilder().Build(image, PointField, {}, false, actor);
   const glm::dvec4 alongX = volume.VoxelToWorld * glm::dvec4(1.0, 0.0, 0.0, 0.0);
   EXPECT_EQ(alongX, glm::dvec4(0.0, 1.0, 0.0, 0.0));
   EXPECT_EQ(volume.VoxelToWorld[3].x, volume.VoxelToData[3].x + 100.0);

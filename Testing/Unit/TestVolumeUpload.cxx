@@ -18,7 +18,7 @@ namespace
 Volume Build(vtkImageData* image)
 {
   return VolumeBuilder().Build(image,
-    { VTK_SCALAR_MODE_USE_POINT_FIELD_DATA, VTK_GET_ARRAY_BY_NAME, -1, "field" }, 0, false,
+    { VTK_SCALAR_MODE_USE_POINT_FIELD_DATA, VTK_GET_ARRAY_BY_NAME, -1, "field" }, {}, false,
     nullptr);
 }
 

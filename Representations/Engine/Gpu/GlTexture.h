@@ -47,7 +47,7 @@ public:
   int Attach(GlTexture& texture);
 
 private:
-  static constexpr int Limit = 8;
+  static constexpr int Limit = 12;
   vtkOpenGLRenderWindow* Window;
   int Units[Limit] = {};
   unsigned int Targets[Limit] = {};

@@ -21,6 +21,28 @@ double MillisecondsSince(Clock::time_point begin)
   return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
 }
 
+struct GlFormat
+{
+  GLenum Internal;
+  GLenum External;
+  GLenum Type;
+};
+
+GlFormat FormatOf(const volumebench::Volume& volume)
+{
+  const bool small = volume.Format == TexelFormat::Unsigned16;
+  const GLenum type = small ? GL_UNSIGNED_SHORT : GL_FLOAT;
+  switch (volume.Channels)
+  {
+    case 2:
+      return { static_cast<GLenum>(small ? GL_RG16 : GL_RG32F), GL_RG, type };
+    case 4:
+      return { static_cast<GLenum>(small ? GL_RGBA16 : GL_RGBA32F), GL_RGBA, type };
+    default:
+      return { static_cast<GLenum>(small ? GL_R16 : GL_R32F), GL_RED, type };
+  }
+}
+
 void DrainErrors()
 {
   while (glGetError() != GL_NO_ERROR)
@@ -76,17 +98,17 @@ void SceneTextures::Update(const Scene& scene)
 void SceneTextures::UpdateVolume(const volumebench::Volume& volume)
 {
   CheckSize(volume);
-  const bool small = volume.Format == TexelFormat::Unsigned16;
+  const GlFormat format = FormatOf(volume);
   const std::size_t texels = static_cast<std::size_t>(volume.Texels.x) * volume.Texels.y *
     static_cast<std::size_t>(volume.Texels.z);
-  const std::size_t bytes = texels * TexelBytes(volume.Format);
+  const std::size_t bytes = texels * TexelBytes(volume);
   this->Volume.Release();
   this->VolumeBytes = 0;
   this->Volume.Bind(GL_TEXTURE_3D);
   this->Volume.SetSampling(!volume.Nearest);
   DrainErrors();
-  glTexImage3D(GL_TEXTURE_3D, 0, small ? GL_R16 : GL_R32F, volume.Texels.x, volume.Texels.y,
-    volume.Texels.z, 0, GL_RED, small ? GL_UNSIGNED_SHORT : GL_FLOAT, nullptr);
+  glTexImage3D(GL_TEXTURE_3D, 0, format.Internal, volume.Texels.x, volume.Texels.y, volume.Texels.z,
+    0, format.External, format.Type, nullptr);
   try
   {
     CheckMemory(bytes);
@@ -105,17 +127,17 @@ void SceneTextures::UpdateVolume(const volumebench::Volume& volume)
 
 void SceneTextures::UploadSlabs(const volumebench::Volume& volume)
 {
-  const GLenum type = volume.Format == TexelFormat::Unsigned16 ? GL_UNSIGNED_SHORT : GL_FLOAT;
+  const GlFormat format = FormatOf(volume);
   const std::size_t sliceBytes =
-    static_cast<std::size_t>(volume.Texels.x) * volume.Texels.y * TexelBytes(volume.Format);
+    static_cast<std::size_t>(volume.Texels.x) * volume.Texels.y * TexelBytes(volume);
   const int slabSlices = static_cast<int>(std::max<std::size_t>(1, SlabBytes / sliceBytes));
   std::vector<unsigned char> texels;
   for (int slice = 0; slice < volume.Texels.z; slice += slabSlices)
   {
     const int count = std::min(slabSlices, volume.Texels.z - slice);
     ConvertSlab(volume, slice, count, texels);
-    glTexSubImage3D(GL_TEXTURE_3D, 0, 0, 0, slice, volume.Texels.x, volume.Texels.y, count, GL_RED,
-      type, texels.data());
+    glTexSubImage3D(GL_TEXTURE_3D, 0, 0, 0, slice, volume.Texels.x, volume.Texels.y, count,
+      format.External, format.Type, texels.data());
   }
 }
 
@@ -123,7 +145,7 @@ void SceneTextures::UpdateBlanking(const volumebench::Volume& volume)
 {
   this->Blanking.Release();
   this->BlankingBytes = 0;
-  if (!volume.HasNonFinite)
+  if (!volume.HasBlanks())
   {
     return;
   }
@@ -146,21 +168,62 @@ void SceneTextures::UpdateTable(const TransferFunction& function)
     GL_RGBA, GL_FLOAT, function.Table.data());
   this->Table.Unbind();
   this->TableBytes = function.Table.size() * sizeof(glm::vec4);
+  if (function.Segments)
+  {
+    this->Segments.Bind(GL_TEXTURE_2D);
+    this->Segments.SetSampling(true);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, function.SegmentSize, function.SegmentSize, 0,
+      GL_RGBA, GL_FLOAT, function.Segments->data());
+    this->Segments.Unbind();
+    this->TableBytes += function.Segments->size() * sizeof(glm::vec4);
+  }
+  if (!function.GradientTable.empty())
+  {
+    this->GradientOpacity.Bind(GL_TEXTURE_1D);
+    this->GradientOpacity.SetSampling(true);
+    glTexImage1D(GL_TEXTURE_1D, 0, GL_R32F, static_cast<GLsizei>(function.GradientTable.size()), 0,
+      GL_RED, GL_FLOAT, function.GradientTable.data());
+    this->GradientOpacity.Unbind();
+    this->TableBytes += function.GradientTable.size() * sizeof(float);
+  }
+}
+
+void SceneTextures::Attach(
+  const GlProgram& program, const FeatureSet& features, TextureUnits& units)
+{
+  program.SetUnit("volumeTexture", units.Attach(this->Volume));
+  program.SetUnit("transferFunctionTexture", units.Attach(this->Table));
+  if (Has(features, Feature::PreIntegrated))
+  {
+    program.SetUnit("segmentTexture", units.Attach(this->Segments));
+  }
+  if (Has(features, Feature::GradientOpacity))
+  {
+    program.SetUnit("gradientOpacityTexture", units.Attach(this->GradientOpacity));
+  }
+  if (Has(features, Feature::Blanking))
+  {
+    program.SetUnit("blankingTexture", units.Attach(this->Blanking));
+  }
 }
 
 void SceneTextures::Release()
 {
-  this->Volume.Release();
-  this->Table.Release();
-  this->Blanking.Release();
+  for (GlTexture* texture :
+    { &this->Volume, &this->Table, &this->Segments, &this->GradientOpacity, &this->Blanking })
+  {
+    texture->Release();
+  }
   this->Forget();
 }
 
 void SceneTextures::Forget()
 {
-  this->Volume.Forget();
-  this->Table.Forget();
-  this->Blanking.Forget();
+  for (GlTexture* texture :
+    { &this->Volume, &this->Table, &this->Segments, &this->GradientOpacity, &this->Blanking })
+  {
+    texture->Forget();
+  }
   this->VolumeStamp = this->TableStamp = 0;
   this->VolumeBytes = this->TableBytes = this->BlankingBytes = 0;
 }

@@ -1,9 +1,11 @@
-// The scene's data on the device: volume, transfer-function table, blanking grid. Each is sent
+// The scene's data on the device: volume, tables, blanking grid. Each is sent
 // again only when its stamp changes.
 #ifndef volumebench_SceneTextures_h
 #define volumebench_SceneTextures_h
 
+#include "Gpu/GlProgram.h"
 #include "Gpu/GlTexture.h"
+#include "Scene/Features.h"
 #include "Scene/Scene.h"
 
 #include <cstddef>
@@ -17,9 +19,8 @@ public:
   /// GL_MAX_3D_TEXTURE_SIZE on an axis or the device has no memory for it.
   void Update(const Scene& scene);
 
-  GlTexture& GetVolume() { return this->Volume; }
-  GlTexture& GetTable() { return this->Table; }
-  GlTexture& GetBlanking() { return this->Blanking; }
+  /// Binds the textures that a program of these features reads; the program is bound.
+  void Attach(const GlProgram& program, const FeatureSet& features, TextureUnits& units);
 
   std::size_t GetBytesOnDevice() const
   {
@@ -39,6 +40,8 @@ private:
 
   GlTexture Volume;
   GlTexture Table;
+  GlTexture Segments;
+  GlTexture GradientOpacity;
   GlTexture Blanking;
   ChangeStamp VolumeStamp = 0;
   ChangeStamp TableStamp = 0;

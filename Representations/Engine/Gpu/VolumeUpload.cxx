@@ -26,50 +26,111 @@ std::uint16_t ToUnsigned16(double normalized)
   return static_cast<std::uint16_t>(std::lround(std::clamp(normalized, 0.0, 1.0) * 65535.0));
 }
 
+// Value of a channel, relative to the range that the channel is stored in.
+template <typename Tuple>
+double NormalizedValue(const Volume& volume, const Tuple& tuple, int channel)
+{
+  const bool opacity = channel == volume.Channels - 1;
+  const double value = ValueOf(tuple, opacity ? volume.Component : channel);
+  const ValueMapping& mapping = opacity ? volume.Mapping : volume.ColorMapping;
+  return std::isfinite(value) ? mapping.Normalize(value) : 0.0;
+}
+
 struct ConvertWorker
 {
   template <typename Array>
   void operator()(Array* array, const Volume& volume, vtkIdType firstTuple, unsigned char* texels,
     vtkIdType count)
   {
-    const ValueMapping mapping = volume.Mapping;
-    const int component = volume.Component;
     vtkSMPTools::For(0, count,
       [&](vtkIdType begin, vtkIdType end)
       {
-        vtkIdType i = begin;
+        vtkIdType i = begin * volume.Channels;
         for (const auto tuple :
           vtk::DataArrayTupleRange(array, firstTuple + begin, firstTuple + end))
         {
-          const double value = ValueOf(tuple, component);
-          const double normalized = std::isfinite(value) ? mapping.Normalize(value) : 0.0;
-          if (volume.Format == TexelFormat::Unsigned16)
+          for (int channel = 0; channel < volume.Channels; ++channel, ++i)
           {
-            reinterpret_cast<std::uint16_t*>(texels)[i++] = ToUnsigned16(normalized);
-          }
-          else
-          {
-            reinterpret_cast<float*>(texels)[i++] = static_cast<float>(normalized);
+            const double normalized = NormalizedValue(volume, tuple, channel);
+            if (volume.Format == TexelFormat::Unsigned16)
+            {
+              reinterpret_cast<std::uint16_t*>(texels)[i] = ToUnsigned16(normalized);
+            }
+            else
+            {
+              reinterpret_cast<float*>(texels)[i] = static_cast<float>(normalized);
+            }
           }
         }
       });
   }
 };
 
-// Marks the eight cells that touch a texel.
-void MarkCells(const Volume& volume, vtkIdType texel, std::vector<std::uint8_t>& grid)
+// The entries of the blanking grid round the texel (i, j, k).
+class GridMarker
 {
-  const vtkIdType nx = volume.Texels.x;
-  const vtkIdType ny = volume.Texels.y;
-  const vtkIdType i = texel % nx;
-  const vtkIdType j = (texel / nx) % ny;
-  const vtkIdType k = texel / (nx * ny);
-  for (int corner = 0; corner < 8; ++corner)
+public:
+  explicit GridMarker(const Volume& volume)
+    : Size(volume.Texels)
+    , Grid(static_cast<std::size_t>(Size.x + 1) * (Size.y + 1) * (Size.z + 1), 0)
   {
-    const vtkIdType ci = i + (corner & 1);
-    const vtkIdType cj = j + ((corner >> 1) & 1);
-    const vtkIdType ck = k + (corner >> 2);
-    grid[ci + (nx + 1) * (cj + (ny + 1) * ck)] = 1;
+  }
+
+  void MarkCell(vtkIdType i, vtkIdType j, vtkIdType k, std::uint8_t bit)
+  {
+    this->Grid[i + (this->Size.x + 1) * (j + (this->Size.y + 1) * k)] |= bit;
+  }
+
+  // The eight cells that a texel is a corner of.
+  void MarkCellsAt(vtkIdType texel)
+  {
+    const vtkIdType i = texel % this->Size.x;
+    const vtkIdType j = (texel / this->Size.x) % this->Size.y;
+    const vtkIdType k = texel / (static_cast<vtkIdType>(this->Size.x) * this->Size.y);
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      this->MarkCell(
+        i + (corner & 1), j + ((corner >> 1) & 1), k + (corner >> 2), BlankBetweenTexels);
+    }
+  }
+
+  std::vector<std::uint8_t> Take() { return std::move(this->Grid); }
+
+private:
+  glm::ivec3 Size;
+  std::vector<std::uint8_t> Grid;
+};
+
+bool IsFiniteTexel(const Volume& volume, vtkIdType texel)
+{
+  const int components = volume.Scalars->GetNumberOfComponents();
+  const bool all = volume.Component < 0 || volume.Channels > 1;
+  const int first = all ? 0 : volume.Component;
+  const int last = all ? components - 1 : volume.Component;
+  for (int component = first; component <= last; ++component)
+  {
+    if (!std::isfinite(volume.Scalars->GetComponent(texel, component)))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+void MarkHiddenCells(const Volume& volume, GridMarker& marker)
+{
+  // Cells of point data lie between texels, and entry i + 1 is the one that begins at texel i.
+  const int shift = volume.CellCentred ? 0 : 1;
+  const glm::ivec3 cells = volume.Texels - shift;
+  const std::uint8_t bit = volume.CellCentred ? BlankRoundTexel : BlankBetweenTexels;
+  const vtkIdType count = volume.CellGhosts->GetNumberOfValues();
+  for (vtkIdType cell = 0; cell < count; ++cell)
+  {
+    if (volume.CellGhosts->GetValue(cell) & HiddenCellBits)
+    {
+      marker.MarkCell(cell % cells.x + shift, (cell / cells.x) % cells.y + shift,
+        cell / (static_cast<vtkIdType>(cells.x) * cells.y) + shift, bit);
+    }
   }
 }
 }
@@ -79,7 +140,7 @@ void ConvertSlab(
 {
   const vtkIdType firstTuple = SliceTexels(volume) * firstSlice;
   const vtkIdType count = SliceTexels(volume) * sliceCount;
-  texels.resize(static_cast<std::size_t>(count) * TexelBytes(volume.Format));
+  texels.resize(static_cast<std::size_t>(count) * TexelBytes(volume));
   ConvertWorker worker;
   vtkDataArray* scalars = volume.Scalars;
   if (!vtkArrayDispatch::Dispatch::Execute(
@@ -91,23 +152,21 @@ void ConvertSlab(
 
 std::vector<std::uint8_t> BlankingGrid(const Volume& volume)
 {
-  const std::size_t entries =
-    static_cast<std::size_t>(volume.Texels.x + 1) * (volume.Texels.y + 1) * (volume.Texels.z + 1);
-  std::vector<std::uint8_t> grid(entries, 0);
+  GridMarker marker(volume);
+  const bool hiddenPoints = volume.PointGhosts && !volume.CellCentred;
   const vtkIdType texels = SliceTexels(volume) * volume.Texels.z;
-  const int components = volume.Scalars->GetNumberOfComponents();
-  const int first = volume.Component < 0 ? 0 : volume.Component;
-  const int last = volume.Component < 0 ? components - 1 : volume.Component;
   for (vtkIdType texel = 0; texel < texels; ++texel)
   {
-    for (int component = first; component <= last; ++component)
+    const bool hidden = hiddenPoints && (volume.PointGhosts->GetValue(texel) & HiddenPointBits);
+    if (hidden || (volume.HasNonFinite && !IsFiniteTexel(volume, texel)))
     {
-      if (!std::isfinite(volume.Scalars->GetComponent(texel, component)))
-      {
-        MarkCells(volume, texel, grid);
-      }
+      marker.MarkCellsAt(texel);
     }
   }
-  return grid;
+  if (volume.CellGhosts)
+  {
+    MarkHiddenCells(volume, marker);
+  }
+  return marker.Take();
 }
 }

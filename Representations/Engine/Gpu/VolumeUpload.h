@@ -11,20 +11,26 @@
 
 namespace volumebench
 {
-/// Bytes of one texel.
-inline std::size_t TexelBytes(TexelFormat format)
+/// Bytes of one texel with all its channels.
+inline std::size_t TexelBytes(const Volume& volume)
 {
-  return format == TexelFormat::Unsigned16 ? sizeof(std::uint16_t) : sizeof(float);
+  return volume.Channels *
+    (volume.Format == TexelFormat::Unsigned16 ? sizeof(std::uint16_t) : sizeof(float));
 }
 
 /// Converts `sliceCount` slices from `firstSlice` on into texels of the volume's format. Non-finite
-/// values become 0, since filtering must not spread them; BlankingSlab tells where they are.
+/// values become 0, since filtering must not spread them; BlankingGrid tells where they are.
 VOLUMEBENCHENGINE_EXPORT void ConvertSlab(
   const Volume& volume, int firstSlice, int sliceCount, std::vector<unsigned char>& texels);
 
-/// The blanking grid of (nx + 1)(ny + 1)(nz + 1) entries: entry (i, j, k) is 1 where one of the
-/// texels i-1..i, j-1..j, k-1..k is not finite (with Nearest: where the texel that would be taken
-/// is not; one entry then stands for the cell around the half-way points, so it stays cell-wise).
+/// Bits of the blanking grid.
+constexpr std::uint8_t BlankBetweenTexels = 1;
+constexpr std::uint8_t BlankRoundTexel = 2;
+
+/// The blanking grid of (nx + 1)(ny + 1)(nz + 1) entries. Bit BlankBetweenTexels of entry (i, j, k)
+/// speaks for the cell between the texels i-1..i, j-1..j, k-1..k: one of them is not finite or
+/// hidden, or, with point data, the cell is. Bit BlankRoundTexel speaks for the cell that has the
+/// texel (i, j, k) in its middle, hidden in cell data.
 VOLUMEBENCHENGINE_EXPORT std::vector<std::uint8_t> BlankingGrid(const Volume& volume);
 }
 

@@ -2,25 +2,99 @@
 
 namespace volumebench
 {
-const std::vector<FeatureRow>& FeatureTable()
+namespace
 {
-  static const std::vector<FeatureRow> rows = {
+// Modes that add up emission and absorption, as against those that project one value.
+bool Composites(const Scene& s)
+{
+  return s.Compositing.Mode == BlendMode::Composite || s.Compositing.Mode == BlendMode::Gradient;
+}
+
+bool HasMode(const Scene& s, BlendMode mode)
+{
+  return s.Compositing.Mode == mode;
+}
+
+std::vector<FeatureRow> SamplingRows()
+{
+  return {
     { Feature::Midpoint, "midpoint", "WITH_MIDPOINT", "the integrator is Left",
-      [](const Scene& s) { return s.Sampling.Integration == Integrator::Midpoint; } },
-    { Feature::Termination, "termination", "WITH_TERMINATION", "the threshold is 0",
-      [](const Scene& s) { return s.Sampling.TerminationThreshold > 0.0; } },
+      [](const Scene& s) { return s.Sampling.Integration != Integrator::Left; } },
+    { Feature::PreIntegrated, "pre-integrated", "WITH_PREINTEGRATED",
+      "the integrator or the blend mode is another",
+      [](const Scene& s)
+      { return s.Sampling.Integration == Integrator::PreIntegrated && Composites(s); } },
+    { Feature::Termination, "termination", "WITH_TERMINATION",
+      "the threshold is 0 or the blend mode is Average",
+      [](const Scene& s)
+      { return s.Sampling.TerminationThreshold > 0.0 && !HasMode(s, BlendMode::Average); } },
+  };
+}
+
+std::vector<FeatureRow> ClipRows()
+{
+  return {
     { Feature::OpaqueDepth, "opaque-depth", "WITH_OPAQUE_DEPTH", "there is no opaque geometry",
       [](const Scene& s) { return s.Clip.OpaqueGeometry; } },
-    { Feature::Crop, "crop", "WITH_CROP", "cropping is off",
+    { Feature::Crop, "crop", "WITH_CROP", "cropping to a box is off",
       [](const Scene& s) { return s.Clip.Crop; } },
-    { Feature::Blanking, "blanking", "WITH_BLANKING", "all voxels are finite",
-      [](const Scene& s) { return s.Volume.HasNonFinite; } },
-    { Feature::Lighting, "lighting", "WITH_LIGHTING", "shading is off",
-      [](const Scene& s) { return s.Lighting.Enabled; } },
+    { Feature::CropRegions, "crop-regions", "WITH_CROP_REGIONS", "cropping by regions is off",
+      [](const Scene& s) { return s.Clip.CropRegionFlags != 0; } },
+    { Feature::ClipPlanes, "clip-planes", "WITH_CLIP_PLANES", "there are no clip planes",
+      [](const Scene& s) { return !s.Clip.Planes.empty(); } },
+    { Feature::Blanking, "blanking", "WITH_BLANKING", "all voxels are finite and none is hidden",
+      [](const Scene& s) { return s.Volume.HasBlanks(); } },
+  };
+}
+
+std::vector<FeatureRow> AppearanceRows()
+{
+  return {
+    { Feature::Lighting, "lighting", "WITH_LIGHTING", "shading is off or does not apply",
+      [](const Scene& s) { return s.Lighting.Enabled && Composites(s); } },
+    { Feature::GradientOpacity, "gradient-opacity", "WITH_GRADIENT_OPACITY",
+      "there is no gradient opacity or it does not apply",
+      [](const Scene& s) { return !s.TransferFunction.GradientTable.empty() && Composites(s); } },
+    { Feature::OpacityChannel, "opacity-channel", "WITH_OPACITY_CHANNEL",
+      "there are not two dependent components",
+      [](const Scene& s) { return s.Volume.Channels == 2; } },
+    { Feature::DirectColor, "direct-color", "WITH_DIRECT_COLOR",
+      "there are not four dependent components",
+      [](const Scene& s) { return s.Volume.Channels == 4; } },
+  };
+}
+
+std::vector<FeatureRow> BlendRows()
+{
+  return {
+    { Feature::MaximumBlend, "maximum", "WITH_MAXIMUM_BLEND", "the blend mode is another",
+      [](const Scene& s) { return HasMode(s, BlendMode::Maximum); } },
+    { Feature::MinimumBlend, "minimum", "WITH_MINIMUM_BLEND", "the blend mode is another",
+      [](const Scene& s) { return HasMode(s, BlendMode::Minimum); } },
+    { Feature::AverageBlend, "average", "WITH_AVERAGE_BLEND", "the blend mode is another",
+      [](const Scene& s) { return HasMode(s, BlendMode::Average); } },
+    { Feature::GradientBlend, "gradient", "WITH_GRADIENT_BLEND", "the blend mode is another",
+      [](const Scene& s) { return HasMode(s, BlendMode::Gradient); } },
+    { Feature::SampleCount, "sample-count", "WITH_SAMPLE_COUNT", "the picture is drawn",
+      [](const Scene& s) { return s.Measurement.CountSamples; } },
     { Feature::RasterisedSetUp, "rasterised-set-up", "WITH_RASTERISED_SETUP",
       "the ray set-up is Box",
       [](const Scene& s) { return s.Sampling.SetUp == RaySetUp::Rasterised; } },
   };
+}
+}
+
+const std::vector<FeatureRow>& FeatureTable()
+{
+  static const std::vector<FeatureRow> rows = []
+  {
+    std::vector<FeatureRow> all;
+    for (const auto& group : { SamplingRows(), ClipRows(), AppearanceRows(), BlendRows() })
+    {
+      all.insert(all.end(), group.begin(), group.end());
+    }
+    return all;
+  }();
   return rows;
 }
 

@@ -17,11 +17,22 @@ namespace volumebench
 enum class Feature
 {
   Midpoint,
+  PreIntegrated,
   Termination,
   OpaqueDepth,
   Crop,
+  CropRegions,
+  ClipPlanes,
   Blanking,
   Lighting,
+  GradientOpacity,
+  OpacityChannel,
+  DirectColor,
+  MaximumBlend,
+  MinimumBlend,
+  AverageBlend,
+  GradientBlend,
+  SampleCount,
   RasterisedSetUp,
   Count
 };

@@ -5,6 +5,7 @@
 #include "vtkMatrix4x4.h"
 
 #include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
 
 #include <cmath>
 
@@ -22,6 +23,11 @@ inline glm::dmat4 FromVtk(const vtkMatrix4x4* matrix)
     }
   }
   return result;
+}
+
+inline glm::dvec3 FromVtk(const double* vector)
+{
+  return { vector[0], vector[1], vector[2] };
 }
 
 /// One component of a tuple of a vtk::DataArrayTupleRange, or its magnitude for component -1.

@@ -21,7 +21,8 @@ using SceneBlock = SceneBlockOf<glm::vec4>;
 using SceneBlock64 = SceneBlockOf<glm::dvec4>;
 
 constexpr int LightLimit = LIGHT_LIMIT;
-constexpr std::size_t SceneBlockVectors = 35 + 2 * LIGHT_LIMIT;
+constexpr int ClipPlaneLimit = CLIP_PLANE_LIMIT;
+constexpr std::size_t SceneBlockVectors = 43 + 2 * LIGHT_LIMIT + CLIP_PLANE_LIMIT;
 
 // The kernels read the block as std140: a plain run of vec4.
 static_assert(sizeof(SceneBlock) == SceneBlockVectors * sizeof(glm::vec4), "padding in SceneBlock");
@@ -31,5 +32,6 @@ static_assert(sizeof(SceneBlock64) == SceneBlockVectors * sizeof(glm::dvec4), "p
 #undef SCENE_BLOCK_BEGIN
 #undef SCENE_BLOCK_END
 #undef LIGHT_LIMIT
+#undef CLIP_PLANE_LIMIT
 
 #endif

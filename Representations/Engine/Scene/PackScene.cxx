@@ -94,6 +94,29 @@ void PackCrop(const Scene& scene, SceneBlock64& block)
     // An empty crop box leaves nothing: its coordinate is 2 everywhere, outside [0, 1].
     *axes[axis] = size > 0.0 ? row / size : glm::dvec4(0.0, 0.0, 0.0, 2.0);
   }
+  constexpr int FlagsInFirst = 14;
+  const unsigned int flags = scene.Clip.CropRegionFlags;
+  block.cropRegions = { flags & ((1u << FlagsInFirst) - 1u), flags >> FlagsInFirst, 0.0, 0.0 };
+}
+
+void PackClipPlanes(const Scene& scene, SceneBlock64& block)
+{
+  const int count = std::min(static_cast<int>(scene.Clip.Planes.size()), ClipPlaneLimit);
+  block.clipPlaneCount.x = count;
+  for (int i = 0; i < count; ++i)
+  {
+    // A plane is a row vector: it turns by the matrix from voxels to the world.
+    const glm::dvec4 plane = scene.Clip.Planes[i] * scene.Volume.VoxelToWorld;
+    const double size = glm::length(glm::dvec3(plane));
+    block.clipPlane[i] = size > 0.0 ? plane / size : glm::dvec4(0.0, 0.0, 0.0, plane.w);
+  }
+}
+
+// The range of the data in stored values.
+double SpanOf(const Volume& volume)
+{
+  return volume.Mapping.Normalize(volume.FiniteRange[1]) -
+    volume.Mapping.Normalize(volume.FiniteRange[0]);
 }
 
 void PackLighting(const Scene& scene, SceneBlock64& block)
@@ -103,6 +126,10 @@ void PackLighting(const Scene& scene, SceneBlock64& block)
     lighting.SpecularPower };
   const int count = std::min(static_cast<int>(lighting.Lights.size()), LightLimit);
   block.lightCount.x = lighting.Enabled ? count : 0;
+  const double span = SpanOf(scene.Volume);
+  // Stored differences go over two voxels; without damping any of them has full weight.
+  block.lightCount.y =
+    lighting.Damping > 0.0 && span > 0.0 ? 0.5 / (span * lighting.Damping) : 1.0e30;
   const glm::dvec3 middle(scene.Volume.VoxelToWorld[3]);
   for (int i = 0; i < count; ++i)
   {
@@ -133,15 +160,62 @@ void PackWorld(const Volume& volume, SceneBlock64& block)
   block.normalZ = Row(normal / largest, 2);
 }
 
+// Scale and offset that take a value from [low, high] to the first and last of `size` texel
+// centres.
+glm::dvec2 TableCoordinates(double low, double high, double size)
+{
+  const double scale = high > low ? (size - 1.0) / size / (high - low) : 0.0;
+  return { scale, 0.5 / size - low * scale };
+}
+
 void PackTable(const Scene& scene, SceneBlock64& block)
 {
   const TransferFunction& function = scene.TransferFunction;
   const double size = static_cast<double>(function.Table.size());
-  const double low = scene.Volume.Mapping.Normalize(function.Low);
-  const double high = scene.Volume.Mapping.Normalize(function.High);
-  // Entries sit on texel centres: Low is 0.5 / size, High is 1 - 0.5 / size.
-  const double perValue = high > low ? (size - 1.0) / size / (high - low) : 0.0;
-  block.classification = { perValue, 0.5 / size - low * perValue, 0.0, 0.0 };
+  const ValueMapping& mapping = scene.Volume.Mapping;
+  const ValueMapping& colorMapping = scene.Volume.ColorMapping;
+  const double low = mapping.Normalize(function.Low);
+  const double high = mapping.Normalize(function.High);
+  block.classification = { TableCoordinates(low, high, size),
+    TableCoordinates(
+      colorMapping.Normalize(function.Low), colorMapping.Normalize(function.High), size) };
+  block.segments = { TableCoordinates(low, high, std::max(1, function.SegmentSize)), 0.0, 0.0 };
+}
+
+// Where Maximum and Minimum stop: at the ends of the data, or of the table where these come first,
+// less what rounding may take off a filtered value.
+void PackExtremes(const Scene& scene, SceneBlock64& block)
+{
+  constexpr double Rounding = 2.0e-6;
+  const Volume& volume = scene.Volume;
+  const TransferFunction& function = scene.TransferFunction;
+  const double low = volume.Mapping.Normalize(std::max(volume.FiniteRange[0], function.Low));
+  const double high = volume.Mapping.Normalize(std::min(volume.FiniteRange[1], function.High));
+  const double span = SpanOf(volume);
+  block.extremes = { low + Rounding * span, high - Rounding * span, span > 0.0 ? 1.0 / span : 0.0,
+    0.0 };
+}
+
+// Rows that turn stored differences over two voxels into a gradient, in units of the span of the
+// gradient table, so that no data range overflows a float.
+void PackGradientOpacity(const Scene& scene, SceneBlock64& block)
+{
+  const TransferFunction& function = scene.TransferFunction;
+  if (function.GradientTable.empty())
+  {
+    return;
+  }
+  const double span = function.GradientHigh - function.GradientLow;
+  const double perStored = scene.Volume.Mapping.HalfSpan / span;
+  const glm::dmat3 turn =
+    perStored * glm::transpose(glm::inverse(glm::dmat3(scene.Volume.VoxelToData)));
+  block.gradientX = Row(turn, 0);
+  block.gradientY = Row(turn, 1);
+  block.gradientZ = Row(turn, 2);
+  const double low = function.GradientLow / span;
+  block.gradientOpacity = {
+    TableCoordinates(low, low + 1.0, static_cast<double>(function.GradientTable.size())), 0.0, 0.0
+  };
 }
 }
 
@@ -165,9 +239,12 @@ SceneBlock64 PackScene(const Scene& scene)
   block.clipZ = Row(voxelToClip, 2);
   block.clipW = Row(voxelToClip, 3);
   PackCrop(scene, block);
+  PackClipPlanes(scene, block);
   PackTable(scene, block);
-  block.sampling = { scene.Sampling.StepVoxels, 1.0 - scene.Sampling.TerminationThreshold, 0.0,
-    0.0 };
+  PackExtremes(scene, block);
+  PackGradientOpacity(scene, block);
+  block.sampling = { scene.Sampling.StepVoxels, 1.0 - scene.Sampling.TerminationThreshold,
+    scene.TransferFunction.UnitDistance, 0.0 };
   PackLighting(scene, block);
   return block;
 }

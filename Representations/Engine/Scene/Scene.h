@@ -5,6 +5,8 @@
 #include "vtkSmartPointer.h"
 
 #include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
@@ -13,6 +15,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -52,22 +55,32 @@ enum class TexelFormat
   Float32     // R32F: everything else
 };
 
-/// The field. Voxel space has its origin in the middle of the box and one unit per voxel edge.
+/// The field: one channel, or with dependent components two (colour by the first, opacity by the
+/// second) or four (red, green, blue, opacity by the fourth). Voxel space has its origin in the
+/// middle of the box and one unit per voxel edge.
 struct Volume
 {
   vtkSmartPointer<vtkDataArray> Scalars;
   std::string Name;
-  int Component = 0; // -1 for the magnitude
+  int Component = 0; // of one channel; -1 for the magnitude
+  int Channels = 1;  // 1, 2 or 4
   glm::ivec3 Texels{ 0 };
   glm::dvec3 BoxHalf{ 0.0 }; // voxels
   glm::dmat4 VoxelToWorld{ 1.0 };
   glm::dmat4 VoxelToData{ 1.0 }; // before the actor's own matrix: space of crop box and opacity
-  ValueMapping Mapping;
+  ValueMapping Mapping;          // of the channel that opacity is looked up by
+  ValueMapping ColorMapping;     // of the others
   TexelFormat Format = TexelFormat::Float32;
-  double FiniteRange[2] = { 0.0, 1.0 };
-  bool HasNonFinite = false; // NaN or infinite voxels: their cells are left blank
+  double FiniteRange[2] = { 0.0, 1.0 }; // of the channel that opacity is looked up by
+  double ColorRange[2] = { 0.0, 1.0 };  // of the first of two channels
+  bool HasNonFinite = false;            // NaN or infinite voxels: their cells are left blank
+  vtkSmartPointer<vtkUnsignedCharArray> PointGhosts; // null unless some point is hidden
+  vtkSmartPointer<vtkUnsignedCharArray> CellGhosts;  // null unless some cell is
+  bool CellCentred = false;
   bool Nearest = false;
   ChangeStamp Stamp = 0;
+
+  bool HasBlanks() const { return this->HasNonFinite || this->PointGhosts || this->CellGhosts; }
 };
 
 /// Entries (red, green, blue, extinction per data unit), equally spaced from Low to High.
@@ -76,6 +89,18 @@ struct TransferFunction
   std::vector<glm::vec4> Table;
   double Low = 0.0;
   double High = 1.0;
+  double UnitDistance = 1.0; // data units over which the opacities are given
+
+  /// For PreIntegrated: SegmentSize x SegmentSize entries over (front, back) from Low to High; row
+  /// by row of back. Null unless the scene needs it.
+  std::shared_ptr<const std::vector<glm::vec4>> Segments;
+  int SegmentSize = 0;
+
+  /// Factor of the extinction by gradient magnitude from GradientLow to GradientHigh (data units);
+  /// empty without gradient opacity.
+  std::vector<float> GradientTable;
+  double GradientLow = 0.0;
+  double GradientHigh = 1.0;
   ChangeStamp Stamp = 0;
 };
 
@@ -177,7 +202,10 @@ struct Clip
   bool Crop = false;
   glm::dvec3 CropLow{ 0.0 }; // data coordinates
   glm::dvec3 CropHigh{ 1.0 };
-  bool OpaqueGeometry = false; // something in the depth buffer may hide part of the volume
+  unsigned int CropRegionFlags = 0; // VTK's 27 regions; 0: no cropping, or only to the box
+  bool Empty = false;               // cropping leaves no region
+  std::vector<glm::dvec4> Planes;   // world; dot(xyz, point) + w is positive where it is kept
+  bool OpaqueGeometry = false;      // something in the depth buffer may hide part of the volume
 };
 
 struct Scene
@@ -191,6 +219,14 @@ struct Scene
   volumebench::Clip Clip;
   volumebench::Measurement Measurement;
 };
+
+/// Ghost flags that keep a point or cell from being drawn. Duplicate points are only needed by
+/// their neighbours' cells; duplicate cells are drawn by the process that owns them.
+constexpr unsigned char HiddenPointBits = vtkDataSetAttributes::HIDDENPOINT;
+constexpr unsigned char HiddenCellBits =
+  vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::DUPLICATECELL;
+
+constexpr int MostSliceThreads = 16;
 
 /// The smallest step that is drawn; a shorter one would only hang the machine.
 constexpr double SmallestStepVoxels = 1.0 / 1024.0;

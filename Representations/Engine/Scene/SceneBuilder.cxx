@@ -1,14 +1,22 @@
 #include "Scene/SceneBuilder.h"
 
 #include "Scene/CameraBuilder.h"
+#include "Scene/FromVtk.h"
+#include "Scene/KernelScene.h"
+#include "Scene/Features.h"
+#include "Scene/SegmentTable.h"
+#include "Scene/WorkGroup.h"
 #include "Scene/TransferFunctionTable.h"
 #include "vtkVolumeBenchMapper.h"
 
 #include "vtkImageData.h"
+#include "vtkPlane.h"
+#include "vtkPlaneCollection.h"
 #include "vtkRenderer.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace volumebench
@@ -31,19 +39,63 @@ vtkImageData* ImageOf(vtkVolumeBenchMapper* mapper)
   return image;
 }
 
-int ComponentOf(vtkVolumeBenchMapper* mapper)
+ChannelRequest ChannelsOf(vtkVolumeBenchMapper* mapper, vtkVolumeProperty* property)
 {
-  return mapper->GetVectorMode() == vtkVolumeBenchMapper::Magnitude ? -1
-                                                                    : mapper->GetVectorComponent();
+  const bool magnitude = mapper->GetVectorMode() == vtkVolumeBenchMapper::Magnitude;
+  return { magnitude ? -1 : mapper->GetVectorComponent(), !property->GetIndependentComponents() };
+}
+
+// Refuses a number that is none of an enumeration's.
+int Checked(int value, int last, const char* what)
+{
+  if (value < 0 || value > last)
+  {
+    throw SceneError("there is no " + std::string(what) + " " + std::to_string(value));
+  }
+  return value;
+}
+
+glm::ivec2 WorkGroupOf(const std::string& text)
+{
+  const glm::ivec2 shape = ParseWorkGroup(text);
+  if (shape.x < 0)
+  {
+    throw SceneError(
+      "there is no work-group shape '" + text + "'; known are Auto, " + WorkGroupNames());
+  }
+  return shape;
+}
+
+Slicing BuildSlicing(vtkVolumeBenchMapper* mapper)
+{
+  Slicing slicing;
+  slicing.Extent = static_cast<SliceExtent>(Checked(mapper->GetSliceExtent(), 2, "slice extent"));
+  slicing.Target = static_cast<SliceTarget>(Checked(mapper->GetSliceTarget(), 2, "slice target"));
+  slicing.BackToFront = Checked(mapper->GetSliceOrder(), 1, "slice order") == 1;
+  slicing.Threads = mapper->GetSliceThreads();
+  if (slicing.Threads < 0 || slicing.Threads > MostSliceThreads)
+  {
+    throw SceneError("slices cannot be made by " + std::to_string(slicing.Threads) +
+      " threads; there may be 1 to " + std::to_string(MostSliceThreads) + ", or 0 for Auto");
+  }
+  return slicing;
 }
 
 Sampling BuildSampling(vtkVolumeBenchMapper* mapper)
 {
   Sampling sampling;
-  sampling.Integration = static_cast<Integrator>(mapper->GetIntegrator());
+  const int integrator = mapper->GetIntegrator();
+  if (integrator != 0 && integrator != 1 && integrator != 3)
+  {
+    throw SceneError("there is no integrator " + std::to_string(integrator) +
+      "; known are 0 (Left), 1 (Midpoint) and 3 (PreIntegrated)");
+  }
+  sampling.Integration = static_cast<Integrator>(integrator);
   sampling.SetUp = static_cast<RaySetUp>(mapper->GetRaySetUp());
   sampling.StepVoxels = mapper->GetStepVoxels();
   sampling.TerminationThreshold = mapper->GetTerminationThreshold();
+  sampling.WorkGroup = WorkGroupOf(mapper->GetWorkGroupShape());
+  sampling.Slices = BuildSlicing(mapper);
   if (!(sampling.StepVoxels >= SmallestStepVoxels) || !std::isfinite(sampling.StepVoxels))
   {
     throw SceneError("the step is " + std::to_string(sampling.StepVoxels) +
@@ -57,38 +109,126 @@ Sampling BuildSampling(vtkVolumeBenchMapper* mapper)
   return sampling;
 }
 
+BlendMode BlendModeOf(vtkVolumeBenchMapper* mapper)
+{
+  switch (mapper->GetBlendMode())
+  {
+    case vtkVolumeMapper::COMPOSITE_BLEND:
+      return BlendMode::Composite;
+    case vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND:
+      return BlendMode::Maximum;
+    case vtkVolumeMapper::MINIMUM_INTENSITY_BLEND:
+      return BlendMode::Minimum;
+    case vtkVolumeMapper::AVERAGE_INTENSITY_BLEND:
+      return BlendMode::Average;
+    case vtkVolumeBenchMapper::GRADIENT_BLEND:
+      return BlendMode::Gradient;
+    default:
+      throw SceneError("the blend mode " + std::to_string(mapper->GetBlendMode()) +
+        " cannot be drawn: only Composite, Maximum, Minimum, Average and Gradient can");
+  }
+}
+
+void AddPlanes(vtkVolumeBenchMapper* mapper, Clip& clip)
+{
+  vtkPlaneCollection* planes = mapper->GetClippingPlanes();
+  const int count = planes ? planes->GetNumberOfItems() : 0;
+  if (count > ClipPlaneLimit)
+  {
+    throw SceneError("there are " + std::to_string(count) + " clip planes; at most " +
+      std::to_string(ClipPlaneLimit) + " can be drawn");
+  }
+  for (int i = 0; i < count; ++i)
+  {
+    vtkPlane* plane = planes->GetItem(i);
+    const glm::dvec3 normal = FromVtk(plane->GetNormal());
+    clip.Planes.emplace_back(normal, -glm::dot(normal, FromVtk(plane->GetOrigin())));
+  }
+}
+
 Clip BuildClip(vtkVolumeBenchMapper* mapper, vtkRenderer* renderer)
 {
   Clip clip;
   clip.OpaqueGeometry = HasOpaqueGeometry(renderer);
-  clip.Crop = mapper->GetCropping() != 0;
-  if (clip.Crop && mapper->GetCroppingRegionFlags() != VTK_CROP_SUBVOLUME)
+  const bool cropping = mapper->GetCropping() != 0;
+  const bool box = mapper->GetCroppingRegionFlags() == VTK_CROP_SUBVOLUME;
+  constexpr unsigned int AllRegions = (1u << 27) - 1u;
+  const unsigned int flags = mapper->GetCroppingRegionFlags() & static_cast<int>(AllRegions);
+  clip.Crop = cropping && box;
+  if (cropping && !box)
   {
-    throw SceneError("only the sub-volume cropping region can be drawn, not region flags " +
-      std::to_string(mapper->GetCroppingRegionFlags()));
+    clip.CropRegionFlags = flags;
+    clip.Empty = flags == 0;
   }
   const double* planes = mapper->GetCroppingRegionPlanes();
   clip.CropLow = { planes[0], planes[2], planes[4] };
   clip.CropHigh = { planes[1], planes[3], planes[5] };
+  AddPlanes(mapper, clip);
   return clip;
 }
 
-void RefuseUnsupported(vtkVolumeBenchMapper* mapper, vtkVolumeProperty* property, int components)
+void RefuseUnsupported(
+  const Scene& scene, vtkVolumeBenchMapper* mapper, vtkVolumeProperty* property)
 {
-  if (mapper->GetBlendMode() != vtkVolumeMapper::COMPOSITE_BLEND)
+  const bool dependent = scene.Volume.Channels > 1;
+  const bool projects = scene.Compositing.Mode == BlendMode::Maximum ||
+    scene.Compositing.Mode == BlendMode::Minimum || scene.Compositing.Mode == BlendMode::Average;
+  if (dependent && projects)
   {
-    throw SceneError("only the blend mode Composite can be drawn");
+    throw SceneError("the blend modes Maximum, Minimum and Average project one value; dependent "
+                     "components have several: choose a component or the magnitude");
   }
-  if (components > 1 && !property->GetIndependentComponents())
+  if (dependent && scene.Sampling.Integration == Integrator::PreIntegrated)
   {
-    throw SceneError("dependent components (Map Scalars off, separate opacity array) cannot be "
-                     "drawn: choose a component or the magnitude");
+    throw SceneError("the integrator PreIntegrated needs one value per sample; dependent "
+                     "components have several: choose Midpoint");
   }
   if (property->GetTransferFunctionMode() == vtkVolumeProperty::TF_2D)
   {
     throw SceneError("2D transfer functions cannot be drawn");
   }
+  const double* range = mapper->GetAverageIPScalarRange();
+  if (scene.Compositing.Mode == BlendMode::Average &&
+    (range[0] > scene.Volume.FiniteRange[0] || range[1] < scene.Volume.FiniteRange[1]))
+  {
+    throw SceneError("the blend mode Average cannot be limited to a part of the scalar range");
+  }
 }
+
+double MeanEdge(const Volume& volume)
+{
+  const glm::dmat3 edges(volume.VoxelToData);
+  return (glm::length(edges[0]) + glm::length(edges[1]) + glm::length(edges[2])) / 3.0;
+}
+}
+
+void SceneBuilder::BuildFunction(vtkVolumeProperty* property, Scene& scene, int largestTable)
+{
+  constexpr int SegmentSize = 512;
+  const bool segments = Has(FeaturesNeededBy(scene), Feature::PreIntegrated);
+  const double length = scene.Sampling.StepVoxels * MeanEdge(scene.Volume);
+  ChangeStamp stamp = property->GetMTime();
+  ExtendStamp(stamp, scene.Volume.Stamp);
+  ExtendStamp(stamp, segments ? length : 0.0);
+  if (stamp != this->FunctionStamp)
+  {
+    this->FunctionStamp = 0;
+    const Volume& volume = scene.Volume;
+    const bool two = volume.Channels == 2;
+    const double range[2] = { two ? std::min(volume.FiniteRange[0], volume.ColorRange[0])
+                                  : volume.FiniteRange[0],
+      two ? std::max(volume.FiniteRange[1], volume.ColorRange[1]) : volume.FiniteRange[1] };
+    this->Function = BuildTransferFunction(property, range, largestTable);
+    if (segments)
+    {
+      this->Function.SegmentSize = SegmentSize;
+      this->Function.Segments = std::make_shared<const std::vector<glm::vec4>>(
+        BuildSegmentTable(this->Function, length, SegmentSize));
+      ExtendStamp(this->Function.Stamp, length);
+    }
+    this->FunctionStamp = stamp;
+  }
+  scene.TransferFunction = this->Function;
 }
 
 Scene SceneBuilder::Build(vtkVolumeBenchMapper* mapper, vtkRenderer* renderer, vtkVolume* volume,
@@ -98,24 +238,18 @@ Scene SceneBuilder::Build(vtkVolumeBenchMapper* mapper, vtkRenderer* renderer, v
   vtkImageData* image = ImageOf(mapper);
   vtkVolumeProperty* property = volume->GetProperty();
   scene.Sampling = BuildSampling(mapper);
+  scene.Compositing.Mode = BlendModeOf(mapper);
+  scene.Measurement = { mapper->GetCountSamples(), mapper->GetTimeStages() };
   const ArrayRequest request{ mapper->GetScalarMode(), mapper->GetArrayAccessMode(),
     mapper->GetArrayId(), mapper->GetArrayName() };
   const bool nearest = property->GetInterpolationType() == VTK_NEAREST_INTERPOLATION;
   scene.Volume =
-    this->Volumes.Build(image, request, ComponentOf(mapper), nearest, volume->GetMatrix());
-  RefuseUnsupported(mapper, property, scene.Volume.Scalars->GetNumberOfComponents());
-
-  ChangeStamp stamp = property->GetMTime();
-  ExtendStamp(stamp, scene.Volume.Stamp);
-  if (stamp != this->FunctionStamp)
-  {
-    this->FunctionStamp = 0;
-    this->Function = BuildTransferFunction(property, scene.Volume.FiniteRange, target.LargestTable);
-    this->FunctionStamp = stamp;
-  }
-  scene.TransferFunction = this->Function;
+    this->Volumes.Build(image, request, ChannelsOf(mapper, property), nearest, volume->GetMatrix());
+  RefuseUnsupported(scene, mapper, property);
+  this->BuildFunction(property, scene, target.LargestTable);
   scene.Camera = BuildCamera(renderer, target.Viewport);
   scene.Lighting = BuildLighting(renderer, property);
+  scene.Lighting.Damping = mapper->GetLightingDamping();
   scene.Clip = BuildClip(mapper, renderer);
   return scene;
 }

@@ -11,6 +11,7 @@
 class vtkRenderer;
 class vtkVolume;
 class vtkVolumeBenchMapper;
+class vtkVolumeProperty;
 
 namespace volumebench
 {
@@ -29,6 +30,8 @@ public:
     const RenderTarget& target);
 
 private:
+  void BuildFunction(vtkVolumeProperty* property, Scene& scene, int largestTable);
+
   VolumeBuilder Volumes;
   TransferFunction Function; // kept while its sources are unchanged
   ChangeStamp FunctionStamp = 0;

@@ -131,6 +131,38 @@ void Fill(const Functions& functions, double unitDistance, int size, TransferFun
 }
 }
 
+namespace
+{
+constexpr int GradientTableSize = 1024;
+
+// Asks HasGradientOpacity first: reading the function creates one, which would slow VTK's mappers.
+void FillGradientTable(vtkVolumeProperty* property, TransferFunction& result)
+{
+  if (!property->HasGradientOpacity(0) || property->GetDisableGradientOpacity(0))
+  {
+    return;
+  }
+  vtkPiecewiseFunction* function = property->GetGradientOpacity(0);
+  if (function->GetSize() < 1)
+  {
+    return;
+  }
+  function->GetRange(result.GradientLow, result.GradientHigh);
+  if (!(result.GradientHigh > result.GradientLow))
+  {
+    result.GradientHigh = result.GradientLow + 1.0;
+  }
+  result.GradientTable.resize(GradientTableSize);
+  function->GetTable(
+    result.GradientLow, result.GradientHigh, GradientTableSize, result.GradientTable.data());
+  for (float& factor : result.GradientTable)
+  {
+    factor = std::clamp(factor, 0.0f, 1.0f);
+  }
+  ExtendStamp(result.Stamp, function->GetMTime());
+}
+}
+
 double ExtinctionOfOpacity(double opacity, double unitDistance)
 {
   const double largest = 1.0 - std::ldexp(1.0, -24);
@@ -151,6 +183,9 @@ TransferFunction BuildTransferFunction(
   TransferFunction result;
   ChooseDomain(knots, functions.Clamping(), dataRange, result);
   Fill(functions, unitDistance, ChooseSize(knots, result, largestSize), result);
+
+  result.UnitDistance = unitDistance;
+  FillGradientTable(property, result);
 
   ExtendStamp(result.Stamp, functions.Opacity->GetMTime());
   ExtendStamp(

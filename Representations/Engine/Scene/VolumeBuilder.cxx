@@ -63,6 +63,21 @@ struct StatisticsWorker
   }
 };
 
+// Colours come as they are: whole numbers relative to the largest of their type, floats from 0
+// to 1.
+ValueMapping DirectColorMapping(vtkDataArray* scalars)
+{
+  const int type = scalars->GetDataType();
+  const bool real = type == VTK_FLOAT || type == VTK_DOUBLE;
+  return { 0.0, real ? 0.5 : 0.5 * scalars->GetDataTypeMax() };
+}
+
+ValueMapping RangeMapping(const double range[2])
+{
+  const double half = 0.5 * range[1] - 0.5 * range[0];
+  return { 0.5 * range[0], half > 0.0 ? half : 0.5 };
+}
+
 // 8- and 16-bit values keep all their bits in a 16-bit texture; the others are stored relative to
 // the range that they have.
 void ChooseMapping(Volume& volume)
@@ -74,11 +89,18 @@ void ChooseMapping(Volume& volume)
     const double low = volume.Scalars->GetDataTypeMin();
     volume.Format = TexelFormat::Unsigned16;
     volume.Mapping = { 0.5 * low, 0.5 * volume.Scalars->GetDataTypeMax() - 0.5 * low };
-    return;
+    volume.ColorMapping = volume.Mapping;
   }
-  const double half = 0.5 * volume.FiniteRange[1] - 0.5 * volume.FiniteRange[0];
-  volume.Format = TexelFormat::Float32;
-  volume.Mapping = { 0.5 * volume.FiniteRange[0], half > 0.0 ? half : 0.5 };
+  else
+  {
+    volume.Format = TexelFormat::Float32;
+    volume.Mapping = RangeMapping(volume.FiniteRange);
+    volume.ColorMapping = RangeMapping(volume.ColorRange);
+  }
+  if (volume.Channels == 4)
+  {
+    volume.ColorMapping = DirectColorMapping(volume.Scalars);
+  }
 }
 
 std::string Dimensions(const int dims[3])
@@ -139,8 +161,46 @@ ScalarStatistics ComputeStatistics(vtkDataArray* scalars, int component)
   return result;
 }
 
-Volume VolumeBuilder::Build(vtkImageData* image, const ArrayRequest& request, int component,
-  bool nearest, vtkMatrix4x4* actor)
+namespace
+{
+void ChooseChannels(Volume& volume, const ChannelRequest& request)
+{
+  const int components = volume.Scalars->GetNumberOfComponents();
+  if (components > 1 && request.Dependent)
+  {
+    if (components != 2 && components != 4)
+    {
+      throw SceneError("the array '" + volume.Name + "' has " + std::to_string(components) +
+        " components; dependent components can be drawn of 2 (colour, opacity) or 4 (RGBA)");
+    }
+    volume.Channels = components;
+    volume.Component = components - 1;
+    return;
+  }
+  if (components > 1 && request.Component >= components)
+  {
+    throw SceneError("the array '" + volume.Name + "' has " + std::to_string(components) +
+      " components; component " + std::to_string(request.Component) + " was asked for");
+  }
+  volume.Component = components == 1 ? 0 : request.Component;
+}
+
+bool AnyHas(vtkUnsignedCharArray* ghosts, unsigned char bits)
+{
+  const unsigned char* values = ghosts->GetPointer(0);
+  return std::any_of(values, values + ghosts->GetNumberOfValues(),
+    [bits](unsigned char value) { return (value & bits) != 0; });
+}
+
+void ExtendByArray(ChangeStamp& stamp, vtkDataArray* array)
+{
+  ExtendStamp(stamp, static_cast<const void*>(array));
+  ExtendStamp(stamp, array ? array->GetMTime() : 0);
+}
+}
+
+Volume VolumeBuilder::Build(vtkImageData* image, const ArrayRequest& request,
+  const ChannelRequest& channels, bool nearest, vtkMatrix4x4* actor)
 {
   if (image->GetNumberOfPoints() < 1)
   {
@@ -148,19 +208,14 @@ Volume VolumeBuilder::Build(vtkImageData* image, const ArrayRequest& request, in
   }
   const ArraySelection selection = SelectArray(image, request);
   CheckGrid(image, selection.Center);
-  const int components = selection.Scalars->GetNumberOfComponents();
-  if (components > 1 && component >= components)
-  {
-    throw SceneError("the array '" + selection.Name + "' has " + std::to_string(components) +
-      " components; component " + std::to_string(component) + " was asked for");
-  }
   Volume volume;
   volume.Scalars = selection.Scalars;
   volume.Name = selection.Name;
-  volume.Component = components == 1 ? 0 : component;
   volume.Nearest = nearest;
+  volume.CellCentred = selection.Center == Centering::Cell;
+  ChooseChannels(volume, channels);
   PlaceGrid(volume, image, selection.Center, actor);
-  this->AddStatistics(volume);
+  this->AddStatistics(volume, image);
   ChooseMapping(volume);
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -170,23 +225,48 @@ Volume VolumeBuilder::Build(vtkImageData* image, const ArrayRequest& request, in
   return volume;
 }
 
-void VolumeBuilder::AddStatistics(Volume& volume)
+VolumeBuilder::Findings VolumeBuilder::Look(const Volume& volume, vtkImageData* image) const
+{
+  Findings found;
+  found.Opacity = ComputeStatistics(volume.Scalars, volume.Component);
+  found.AllFinite = found.Opacity.AllFinite;
+  for (int channel = 0; channel + 1 < volume.Channels; ++channel)
+  {
+    const ScalarStatistics statistics = ComputeStatistics(volume.Scalars, channel);
+    found.AllFinite = found.AllFinite && statistics.AllFinite;
+    found.Color = channel == 0 ? statistics : found.Color;
+  }
+  vtkUnsignedCharArray* points = image->GetPointGhostArray();
+  vtkUnsignedCharArray* cells = image->GetCellGhostArray();
+  found.HiddenPoints = points && AnyHas(points, HiddenPointBits);
+  found.HiddenCells = cells && AnyHas(cells, HiddenCellBits);
+  return found;
+}
+
+void VolumeBuilder::AddStatistics(Volume& volume, vtkImageData* image)
 {
   volume.Stamp = 1;
-  ExtendStamp(volume.Stamp, static_cast<const void*>(volume.Scalars));
-  ExtendStamp(volume.Stamp, volume.Scalars->GetMTime());
+  ExtendByArray(volume.Stamp, volume.Scalars);
+  ExtendByArray(volume.Stamp, image->GetPointGhostArray());
+  ExtendByArray(volume.Stamp, image->GetCellGhostArray());
   ExtendStamp(volume.Stamp, volume.Component);
-  if (volume.Stamp != this->StatisticsStamp)
+  ExtendStamp(volume.Stamp, volume.Channels);
+  if (volume.Stamp != this->FindingsStamp)
   {
-    this->Statistics = ComputeStatistics(volume.Scalars, volume.Component);
-    this->StatisticsStamp = volume.Stamp;
+    this->Found = this->Look(volume, image);
+    this->FindingsStamp = volume.Stamp;
   }
-  if (!this->Statistics.AnyFinite)
+  const Findings& found = this->Found;
+  if (!found.Opacity.AnyFinite || (volume.Channels == 2 && !found.Color.AnyFinite))
   {
     throw SceneError("the array '" + volume.Name + "' has no finite value");
   }
-  volume.FiniteRange[0] = this->Statistics.Low;
-  volume.FiniteRange[1] = this->Statistics.High;
-  volume.HasNonFinite = !this->Statistics.AllFinite;
+  volume.FiniteRange[0] = found.Opacity.Low;
+  volume.FiniteRange[1] = found.Opacity.High;
+  volume.ColorRange[0] = found.Color.Low;
+  volume.ColorRange[1] = found.Color.High;
+  volume.HasNonFinite = !found.AllFinite;
+  volume.PointGhosts = found.HiddenPoints ? image->GetPointGhostArray() : nullptr;
+  volume.CellGhosts = found.HiddenCells ? image->GetCellGhostArray() : nullptr;
 }
 }

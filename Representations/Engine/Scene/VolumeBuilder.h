@@ -12,6 +12,13 @@ class vtkMatrix4x4;
 
 namespace volumebench
 {
+/// What is drawn of arrays with several components.
+struct ChannelRequest
+{
+  int Component = 0;      // -1 for the magnitude
+  bool Dependent = false; // all of them: two are colour and opacity, four RGBA
+};
+
 /// Range over the finite values of one component (-1: magnitude), and whether all were finite.
 struct ScalarStatistics
 {
@@ -27,16 +34,26 @@ class VOLUMEBENCHENGINE_EXPORT VolumeBuilder
 {
 public:
   /// Throws SceneError for an empty image, one without thickness and one without a finite value.
-  /// `component` is -1 for the magnitude; `actor` is the prop's matrix.
-  Volume Build(vtkImageData* image, const ArrayRequest& request, int component, bool nearest,
-    vtkMatrix4x4* actor);
+  /// `actor` is the prop's matrix.
+  Volume Build(vtkImageData* image, const ArrayRequest& request, const ChannelRequest& channels,
+    bool nearest, vtkMatrix4x4* actor);
 
 private:
-  void AddStatistics(Volume& volume);
+  void AddStatistics(Volume& volume, vtkImageData* image);
 
-  // The pass over all values is repeated only when the array or the component changes.
-  ChangeStamp StatisticsStamp = 0;
-  ScalarStatistics Statistics;
+  // What takes a pass over all values, repeated only when the arrays or the component change.
+  struct Findings
+  {
+    ScalarStatistics Opacity;
+    ScalarStatistics Color; // of the first of two channels
+    bool AllFinite = true;
+    bool HiddenPoints = false;
+    bool HiddenCells = false;
+  };
+  Findings Look(const Volume& volume, vtkImageData* image) const;
+
+  ChangeStamp FindingsStamp = 0;
+  Findings Found;
 };
 }
 

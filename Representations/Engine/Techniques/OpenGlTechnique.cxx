@@ -98,7 +98,7 @@ void OpenGlTechnique::Render(const Scene& scene, vtkOpenGLRenderWindow* window)
   const GlContextGuard guard(window);
   const glm::ivec4 rectangle = ScreenRectangle(scene);
   this->Stages.Begin(scene.Measurement.TimeStages);
-  if (rectangle.z > 0 && rectangle.w > 0)
+  if (rectangle.z > 0 && rectangle.w > 0 && !scene.Clip.Empty)
   {
     window->GetState()->vtkglDisable(GL_SCISSOR_TEST);
     if (Has(this->Features, Feature::OpaqueDepth))
@@ -117,12 +117,7 @@ void OpenGlTechnique::BindWithScene(
   const GlProgram& program, vtkOpenGLRenderWindow* window, TextureUnits& units)
 {
   program.Bind(window);
-  program.SetUnit("volumeTexture", units.Attach(this->Textures.GetVolume()));
-  program.SetUnit("transferFunctionTexture", units.Attach(this->Textures.GetTable()));
-  if (Has(this->Features, Feature::Blanking))
-  {
-    program.SetUnit("blankingTexture", units.Attach(this->Textures.GetBlanking()));
-  }
+  this->Textures.Attach(program, this->Features, units);
   if (Has(this->Features, Feature::OpaqueDepth))
   {
     program.SetUnit("opaqueDepthTexture", units.Attach(this->Depth.GetTexture()));
