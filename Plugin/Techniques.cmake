@@ -2,3 +2,4 @@
 # The order is the order in ParaView's menus. CONTRIBUTING.md tells how to add one.
 volumebench_technique(single-pass CLASS SinglePass LABEL "Volume Single Pass")
 volumebench_technique(multi-pass CLASS MultiPass LABEL "Volume Multi Pass")
+volumebench_technique(compute CLASS ComputeRayCast LABEL "Volume Compute")

@@ -108,6 +108,15 @@ void GlProgram::SetUnit(const char* name, int unit) const
   }
 }
 
+void GlProgram::SetPair(const char* name, int x, int y) const
+{
+  const GLint location = glGetUniformLocation(this->Handle, name);
+  if (location >= 0)
+  {
+    glUniform2i(location, x, y);
+  }
+}
+
 bool GlProgram::ConnectBlock(const char* name, unsigned int binding) const
 {
   const GLuint index = glGetUniformBlockIndex(this->Handle, name);

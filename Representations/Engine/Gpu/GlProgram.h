@@ -46,6 +46,9 @@ public:
   /// bound.
   void SetUnit(const char* name, int unit) const;
 
+  /// Sets an ivec2; as SetUnit otherwise.
+  void SetPair(const char* name, int x, int y) const;
+
   /// Connects the uniform block `name` with a binding point; false when the program has none.
   bool ConnectBlock(const char* name, unsigned int binding) const;
 

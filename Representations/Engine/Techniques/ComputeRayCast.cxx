@@ -1,0 +1,147 @@
+#include "Techniques/ComputeRayCast.h"
+
+#include "Techniques/WorkGroupChoice.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtk_glew.h"
+
+#include <glm/common.hpp>
+
+namespace volumebench
+{
+namespace
+{
+constexpr GLuint PictureUnit = 0;
+
+std::string WorkGroupDefines(glm::ivec2 shape)
+{
+  return "#define WORK_GROUP_WIDTH " + std::to_string(shape.x) + "\n#define WORK_GROUP_HEIGHT " +
+    std::to_string(shape.y) + "\n";
+}
+}
+
+std::string ComputeRayCast::WhyUnsupported(vtkOpenGLRenderWindow*) const
+{
+  GLint major = 0;
+  GLint minor = 0;
+  glGetIntegerv(GL_MAJOR_VERSION, &major);
+  glGetIntegerv(GL_MINOR_VERSION, &minor);
+  if (major * 10 + minor >= 43)
+  {
+    return {};
+  }
+  return "compute shaders need OpenGL 4.3, this context has " + std::to_string(major) + "." +
+    std::to_string(minor);
+}
+
+const GlProgram& ComputeRayCast::RayCastOf(glm::ivec2 workGroup)
+{
+  return this->ProgramOf({ "RayCast.comp" }, WorkGroupDefines(workGroup));
+}
+
+void ComputeRayCast::Compile(const Scene& scene)
+{
+  if (Has(this->GetFeatures(), Feature::RasterisedSetUp))
+  {
+    this->BoxFacePrograms();
+  }
+  if (scene.Sampling.WorkGroup.x > 0)
+  {
+    this->RayCastOf(scene.Sampling.WorkGroup);
+  }
+  this->ProgramOf({ "Viewport.vert", "Picture.frag" });
+}
+
+void ComputeRayCast::Draw(
+  const Scene& scene, vtkOpenGLRenderWindow* window, const glm::ivec4& rectangle)
+{
+  if (Has(this->GetFeatures(), Feature::RasterisedSetUp))
+  {
+    this->FillBoxFaces(scene, window, rectangle, this->Faces);
+  }
+  const glm::ivec2 size(rectangle.z, rectangle.w);
+  this->Picture.Resize(size, GL_RGBA32F);
+  const glm::ivec2 workGroup = this->ChooseWorkGroup(scene, window, rectangle);
+  this->GetFrameStages().OnDevice(
+    "dispatch", [&] { this->Dispatch(window, workGroup, glm::ivec2(0), size); });
+
+  const GlProgram& display = this->ProgramOf({ "Viewport.vert", "Picture.frag" });
+  TextureUnits units(window);
+  display.Bind(window);
+  display.SetUnit("pictureTexture", units.Attach(this->Picture.GetTexture()));
+  BlendOver(window);
+  this->GetFrameStages().OnDevice("display", [&] { this->DrawTriangle(window, &rectangle); });
+}
+
+void ComputeRayCast::Dispatch(
+  vtkOpenGLRenderWindow* window, glm::ivec2 workGroup, glm::ivec2 first, glm::ivec2 end)
+{
+  const GlProgram& program = this->RayCastOf(workGroup);
+  TextureUnits units(window);
+  this->BindWithScene(program, window, units);
+  if (Has(this->GetFeatures(), Feature::RasterisedSetUp))
+  {
+    program.SetUnit("entryPointTexture", units.Attach(this->Faces.GetEntryPoints()));
+    program.SetUnit("rayDirectionTexture", units.Attach(this->Faces.GetDirections()));
+  }
+  program.SetUnit("picture", PictureUnit);
+  program.SetPair("firstTexel", first.x, first.y);
+  program.SetPair("endTexel", end.x, end.y);
+  glBindImageTexture(
+    PictureUnit, this->Picture.GetTexture().GetHandle(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA32F);
+  const glm::ivec2 groups = (end - first + workGroup - 1) / workGroup;
+  glDispatchCompute(groups.x, groups.y, 1);
+  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+  glBindImageTexture(PictureUnit, 0, 0, GL_FALSE, 0, GL_READ_ONLY, GL_RGBA32F);
+}
+
+glm::ivec2 ComputeRayCast::ChooseWorkGroup(
+  const Scene& scene, vtkOpenGLRenderWindow* window, const glm::ivec4& rectangle)
+{
+  if (scene.Sampling.WorkGroup.x > 0)
+  {
+    return scene.Sampling.WorkGroup;
+  }
+  const auto* renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+  glm::ivec2& known = MeasuredWorkGroup(std::string(renderer ? renderer : "") + " " +
+    this->GetFeatures().to_string() + " " + SceneClass(scene, rectangle));
+  if (known.x == 0)
+  {
+    known = this->MeasureWorkGroups(scene, window, rectangle);
+  }
+  return known;
+}
+
+glm::ivec2 ComputeRayCast::MeasureWorkGroups(
+  const Scene& scene, vtkOpenGLRenderWindow* window, const glm::ivec4& rectangle)
+{
+  constexpr int SmallestSide = 64;
+  const glm::ivec2 size(rectangle.z, rectangle.w);
+  const glm::ivec2 part = glm::min(size, glm::max(size / 3, glm::ivec2(SmallestSide)));
+  const glm::ivec2 first = (size - part) / 2;
+  GlTimer timer;
+  std::vector<TimedWorkGroup> measured;
+  for (const glm::ivec2 shape : WorkGroupCandidates(scene))
+  {
+    this->Dispatch(window, shape, first, first + glm::ivec2(1)); // compiles and warms up
+    timer.Start();
+    this->Dispatch(window, shape, first, first + part);
+    timer.Stop();
+    measured.push_back({ shape, timer.ElapsedMs() });
+  }
+  timer.Release();
+  return FastestWorkGroup(measured);
+}
+
+void ComputeRayCast::ReleaseOwn()
+{
+  this->Faces.Release();
+  this->Picture.Release();
+}
+
+void ComputeRayCast::ForgetOwn()
+{
+  this->Faces.Forget();
+  this->Picture.Forget();
+}
+}
