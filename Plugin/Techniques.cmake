@@ -3,3 +3,5 @@
 volumebench_technique(single-pass CLASS SinglePass LABEL "Volume Single Pass")
 volumebench_technique(multi-pass CLASS MultiPass LABEL "Volume Multi Pass")
 volumebench_technique(compute CLASS ComputeRayCast LABEL "Volume Compute")
+volumebench_technique(slices CLASS Slices LABEL "Volume Slices")
+volumebench_technique(slices-threaded CLASS SlicesThreaded LABEL "Volume Slices Threaded")

@@ -113,11 +113,15 @@ FUNC vec4 castRayFrom(SCENE_PARAM vec3 entryPoint, vec4 directionAndLength, real
   return integrate(SCENE ray, clipToView(SCENE ray, interval, windowDepth));
 }
 
-// What one slab of slicing adds to a ray: its part between two view depths, as one step. The length
-// is that of the ray, so it grows to the edge of a perspective picture as the papers' does not.
+// What one slab of slicing adds to a ray: its part between two view depths, as one step. Depths are
+// relative to the plane of the rays' origins. The length is that of the ray, so it grows towards the
+// edge of a perspective picture.
 FUNC vec4 castSlab(SCENE_PARAM Ray ray, Interval visible, real nearDepth, real farDepth)
 {
-  Interval slab = clipToDepths(SCENE ray, visible, nearDepth, farDepth);
+  Interval slab = visible;
+  real depthPerVoxel = dot(xyz(scene.viewDepth), ray.direction);
+  slab.begin = max(slab.begin, nearDepth / depthPerVoxel);
+  slab.end = min(slab.end, farDepth / depthPerVoxel);
   if (slab.end <= slab.begin)
   {
     return emptyRay();

@@ -108,6 +108,15 @@ void GlProgram::SetUnit(const char* name, int unit) const
   }
 }
 
+void GlProgram::SetNumbers(const char* name, float x, float y) const
+{
+  const GLint location = glGetUniformLocation(this->Handle, name);
+  if (location >= 0)
+  {
+    glUniform2f(location, x, y);
+  }
+}
+
 void GlProgram::SetPair(const char* name, int x, int y) const
 {
   const GLint location = glGetUniformLocation(this->Handle, name);

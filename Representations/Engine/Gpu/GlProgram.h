@@ -46,7 +46,8 @@ public:
   /// bound.
   void SetUnit(const char* name, int unit) const;
 
-  /// Sets an ivec2; as SetUnit otherwise.
+  /// Sets a vec2, an ivec2; as SetUnit otherwise.
+  void SetNumbers(const char* name, float x, float y) const;
   void SetPair(const char* name, int x, int y) const;
 
   /// Connects the uniform block `name` with a binding point; false when the program has none.

@@ -1,0 +1,199 @@
+#include "Techniques/Slices.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtk_glew.h"
+
+#include <chrono>
+
+namespace volumebench
+{
+namespace
+{
+constexpr GLuint CornerAttribute = 0; // layout(location) in Slices.vert
+
+using Clock = std::chrono::steady_clock;
+
+double MillisecondsSince(Clock::time_point begin)
+{
+  return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
+}
+
+bool Projects(const FeatureSet& features)
+{
+  return Has(features, Feature::MaximumBlend) || Has(features, Feature::MinimumBlend) ||
+    Has(features, Feature::AverageBlend);
+}
+
+// Sums and extreme values need all their digits, whatever target the scene asks for.
+GLenum TargetFormat(const Scene& scene, const FeatureSet& features)
+{
+  if (Projects(features) || Has(features, Feature::SampleCount))
+  {
+    return GL_RGBA32F;
+  }
+  switch (scene.Sampling.Slices.Target)
+  {
+    case SliceTarget::Float16:
+      return GL_RGBA16F;
+    case SliceTarget::Unsigned8:
+      return GL_RGBA8;
+    default:
+      return GL_RGBA32F;
+  }
+}
+
+// emptyRay of Shared/Composite.h.
+glm::vec4 EmptyRay(const FeatureSet& features)
+{
+  if (Has(features, Feature::SampleCount) || !Projects(features) ||
+    Has(features, Feature::AverageBlend))
+  {
+    return glm::vec4(0.0f);
+  }
+  return { Has(features, Feature::MaximumBlend) ? -1.0e30f : 1.0e30f, 0.0f, 0.0f, 0.0f };
+}
+}
+
+FeatureSet Slices::FeaturesFor(const Scene& scene) const
+{
+  // Fragments know nothing of those before them, and no ray is set up.
+  FeatureSet features = FeaturesNeededBy(scene);
+  features.reset(static_cast<std::size_t>(Feature::Termination));
+  return features.reset(static_cast<std::size_t>(Feature::RasterisedSetUp));
+}
+
+void Slices::Compile(const Scene&)
+{
+  this->ProgramOf({ "Slices.vert", "Slices.frag" });
+  this->ProgramOf({ "Viewport.vert", "SlicesDisplay.frag" });
+}
+
+int Slices::ThreadsFor(const Scene&, int) const
+{
+  return 1;
+}
+
+void Slices::UpdatePolygons(const Scene& scene, const glm::ivec4& rectangle)
+{
+  const Clock::time_point begin = Clock::now();
+  const SliceView view = MakeSliceView(scene, rectangle);
+  const int threads = this->ThreadsFor(scene, view.Slabs.Count);
+  const bool known = this->CornerBuffer && view == this->View && threads == this->Threads;
+  if (!known)
+  {
+    this->Polygons.Tessellate(view, threads);
+    this->View = view;
+    this->Threads = threads;
+  }
+  this->GetFrameStages().Add("tessellation", MillisecondsSince(begin));
+  this->GetFrameStages().OnDevice("upload",
+    [&]
+    {
+      if (!this->CornerBuffer)
+      {
+        glGenBuffers(1, &this->CornerBuffer);
+        glGenVertexArrays(1, &this->CornerArray);
+      }
+      glBindVertexArray(this->CornerArray);
+      glBindBuffer(GL_ARRAY_BUFFER, this->CornerBuffer);
+      if (!known)
+      {
+        const std::vector<SliceCorner>& corners = this->Polygons.GetCorners();
+        glBufferData(
+          GL_ARRAY_BUFFER, corners.size() * sizeof(SliceCorner), corners.data(), GL_STREAM_DRAW);
+        glVertexAttribPointer(CornerAttribute, 3, GL_FLOAT, GL_FALSE, sizeof(SliceCorner), nullptr);
+        glEnableVertexAttribArray(CornerAttribute);
+      }
+    });
+  this->OrderPolygons(scene.Sampling.Slices.BackToFront);
+}
+
+void Slices::OrderPolygons(bool backToFront)
+{
+  const std::vector<int>& counts = this->Polygons.GetCounts();
+  const int slabs = static_cast<int>(counts.size());
+  this->Firsts.clear();
+  this->Counts.clear();
+  for (int i = 0; i < slabs; ++i)
+  {
+    const int slab = backToFront ? slabs - 1 - i : i;
+    if (counts[slab] > 0)
+    {
+      this->Firsts.push_back(slab * SlicePolygons::SlotCorners);
+      this->Counts.push_back(counts[slab]);
+    }
+  }
+}
+
+// The formulas of `accumulate` in Shared/Composite.h.
+void Slices::SetBlending(const Scene& scene, vtkOpenGLRenderWindow* window)
+{
+  vtkOpenGLState* state = window->GetState();
+  const FeatureSet features = this->GetFeatures();
+  BlendOver(window);
+  if (Has(features, Feature::SampleCount) || Has(features, Feature::AverageBlend))
+  {
+    state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
+  }
+  else if (Projects(features))
+  {
+    const GLenum extreme = Has(features, Feature::MaximumBlend) ? GL_MAX : GL_MIN;
+    state->vtkglBlendEquationSeparate(extreme, extreme);
+  }
+  else if (!scene.Sampling.Slices.BackToFront)
+  {
+    state->vtkglBlendFuncSeparate(GL_ONE_MINUS_DST_ALPHA, GL_ONE, GL_ONE_MINUS_DST_ALPHA, GL_ONE);
+  }
+}
+
+void Slices::DrawPolygons(
+  const Scene& scene, vtkOpenGLRenderWindow* window, const glm::ivec4& rectangle)
+{
+  const OffscreenScope scope(window);
+  this->Target.Resize(
+    glm::ivec2(rectangle.z, rectangle.w), TargetFormat(scene, this->GetFeatures()));
+  this->Target.Bind(window, rectangle, scene.Camera.Viewport);
+  OffscreenTarget::Clear(EmptyRay(this->GetFeatures()));
+  const GlProgram& program = this->ProgramOf({ "Slices.vert", "Slices.frag" });
+  TextureUnits units(window);
+  this->BindWithScene(program, window, units);
+  program.SetNumbers("slabSeries", static_cast<float>(this->View.Slabs.First),
+    static_cast<float>(this->View.Slabs.Spacing));
+  this->SetBlending(scene, window);
+  window->GetState()->vtkglDisable(GL_CULL_FACE);
+  glBindVertexArray(this->CornerArray);
+  glMultiDrawArrays(GL_TRIANGLE_FAN, this->Firsts.data(), this->Counts.data(),
+    static_cast<GLsizei>(this->Firsts.size()));
+  window->GetState()->vtkglBlendEquationSeparate(GL_FUNC_ADD, GL_FUNC_ADD);
+}
+
+void Slices::Draw(const Scene& scene, vtkOpenGLRenderWindow* window, const glm::ivec4& rectangle)
+{
+  this->UpdatePolygons(scene, rectangle);
+  this->GetFrameStages().OnDevice("drawing", [&] { this->DrawPolygons(scene, window, rectangle); });
+
+  const GlProgram& display = this->ProgramOf({ "Viewport.vert", "SlicesDisplay.frag" });
+  TextureUnits units(window);
+  this->BindWithScene(display, window, units);
+  display.SetUnit("slicesTexture", units.Attach(this->Target.GetTexture()));
+  BlendOver(window);
+  this->GetFrameStages().OnDevice("display", [&] { this->DrawTriangle(window, &rectangle); });
+}
+
+void Slices::ReleaseOwn()
+{
+  this->Target.Release();
+  if (this->CornerBuffer)
+  {
+    glDeleteBuffers(1, &this->CornerBuffer);
+    glDeleteVertexArrays(1, &this->CornerArray);
+  }
+}
+
+void Slices::ForgetOwn()
+{
+  this->Target.Forget();
+  this->CornerBuffer = this->CornerArray = 0;
+}
+}

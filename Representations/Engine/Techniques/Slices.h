@@ -1,0 +1,47 @@
+// Texture slicing with view-aligned polygons made by one thread (Nikolov 2015), blended in a
+// texture of their own, which is then blended over the window.
+#ifndef volumebench_Slices_h
+#define volumebench_Slices_h
+
+#include "Techniques/OpenGlTechnique.h"
+#include "Techniques/SliceGeometry.h"
+
+#include <vector>
+
+namespace volumebench
+{
+class Slices : public OpenGlTechnique
+{
+protected:
+  FeatureSet FeaturesFor(const Scene& scene) const override;
+  void Compile(const Scene& scene) override;
+  void Draw(
+    const Scene& scene, vtkOpenGLRenderWindow* window, const glm::ivec4& rectangle) override;
+  void ReleaseOwn() override;
+  void ForgetOwn() override;
+  std::size_t GetOwnBytes() const override
+  {
+    return this->Target.GetBytes() + this->Polygons.GetCorners().size() * sizeof(SliceCorner);
+  }
+
+  /// Threads that make the polygons.
+  virtual int ThreadsFor(const Scene& scene, int slabs) const;
+
+private:
+  void UpdatePolygons(const Scene& scene, const glm::ivec4& rectangle);
+  void OrderPolygons(bool backToFront);
+  void DrawPolygons(const Scene& scene, vtkOpenGLRenderWindow* window, const glm::ivec4& rectangle);
+  void SetBlending(const Scene& scene, vtkOpenGLRenderWindow* window);
+
+  SliceView View;  // of the polygons on the device
+  int Threads = 0; // that made them
+  SlicePolygons Polygons;
+  std::vector<int> Firsts; // in drawing order, polygons without corners left out
+  std::vector<int> Counts;
+  OffscreenTarget Target;
+  unsigned int CornerBuffer = 0;
+  unsigned int CornerArray = 0;
+};
+}
+
+#endif
