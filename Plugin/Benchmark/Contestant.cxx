@@ -1,5 +1,6 @@
 #include "Contestant.h"
 
+#include "Names.h"
 #include "Techniques/TechniqueTable.h"
 #include "vtkVolumeBenchMapper.h"
 
@@ -60,6 +61,7 @@ Contestant::Contestant(const std::string& id, const ContestantInput& input)
     this->Mapper->SetTechnique(id.c_str());
     this->Mapper->SetVectorMode(input.VectorMode);
     this->Mapper->SetVectorComponent(input.VectorComponent);
+    this->Mapper->SetLightingDamping(input.LightingDamping);
     mapper = this->Mapper;
   }
   else if (std::count(Peers().begin(), Peers().end(), id))
@@ -75,6 +77,10 @@ Contestant::Contestant(const std::string& id, const ContestantInput& input)
     }
     throw std::runtime_error("there is no technique '" + id + "'; known are " + known);
   }
+  if (this->Unsupported.empty())
+  {
+    mapper->SetBlendMode(input.BlendMode);
+  }
   mapper->SetInputData(input.Image);
   mapper->SetScalarMode(
     input.CellArray ? VTK_SCALAR_MODE_USE_CELL_FIELD_DATA : VTK_SCALAR_MODE_USE_POINT_FIELD_DATA);
@@ -86,10 +92,7 @@ Contestant::Contestant(const std::string& id, const ContestantInput& input)
 
 vtkSmartPointer<vtkVolumeMapper> Contestant::MakePeer(const ContestantInput& input)
 {
-  if (input.Components > 1)
-  {
-    this->Unsupported = "peer '" + this->Id + "' is measured on arrays with one component only";
-  }
+  this->Unsupported = this->WhyUnsupported(input);
   const double sampleDistance = ParaViewStepVoxels * MeanSpacing(input.Image);
   this->PeerStepVoxels = ParaViewStepVoxels;
   if (this->Id == "vtk-gpu")
@@ -105,5 +108,20 @@ vtkSmartPointer<vtkVolumeMapper> Contestant::MakePeer(const ContestantInput& inp
   mapper->SetImageSampleDistance(1.0f);
   mapper->SetSampleDistance(static_cast<float>(sampleDistance));
   return mapper;
+}
+
+std::string Contestant::WhyUnsupported(const ContestantInput& input) const
+{
+  const int mode = input.BlendMode;
+  if (input.Components > 1)
+  {
+    return "peer '" + this->Id + "' is measured on arrays with one component only";
+  }
+  const bool average = mode == vtkVolumeMapper::AVERAGE_INTENSITY_BLEND;
+  if (mode == vtkVolumeBenchMapper::GRADIENT_BLEND || (average && this->Id == "vtk-fixed-point"))
+  {
+    return "peer '" + this->Id + "' has no blend mode " + BlendModeNames().NameOf(mode);
+  }
+  return {};
 }
 }

@@ -26,6 +26,8 @@ struct ContestantInput
   int Components = 1;
   int VectorMode = 1; // vtkVolumeBenchMapper::VectorModes
   int VectorComponent = 0;
+  int BlendMode = 0; // vtkVolumeBenchMapper's numbers
+  double LightingDamping = 0.0;
   vtkVolumeProperty* Property = nullptr;
 };
 
@@ -52,6 +54,7 @@ public:
 
 private:
   vtkSmartPointer<vtkVolumeMapper> MakePeer(const ContestantInput& input);
+  std::string WhyUnsupported(const ContestantInput& input) const;
 
   std::string Id;
   vtkNew<vtkVolume> Volume;

@@ -1,16 +1,16 @@
 #include "Experiment.h"
 
 #include "Contestant.h"
+#include "Names.h"
+#include "Run.h"
 #include "Stage.h"
-#include "Techniques/Technique.h"
+#include "StageMedians.h"
 #include "vtkVolumeBenchMapper.h"
 
 #include "vtkImageData.h"
 
 #include <algorithm>
-#include <cmath>
 #include <random>
-#include <stdexcept>
 
 namespace volumebench
 {
@@ -19,18 +19,9 @@ namespace
 constexpr int FramesPerBlock = 3;   // short, so that slow runs are interleaved too
 constexpr unsigned Seed = 20260101; // fixed: the order of runs is part of the method
 constexpr int ReferenceShrink = 4;  // the reference is checked on a picture this much smaller
+constexpr int StageFrames = 5;      // drawn after the timed ones, to split a frame into stages
 constexpr const char* ReferenceTechnique = "single-pass";
-
-struct Run
-{
-  Contestant* Who = nullptr;
-  int Integrator = -1; // -1: the peer's own
-  RunResult Result;
-  StopRule Rule;
-  std::vector<double> GpuMs;
-  std::vector<FloatPicture> Pictures;
-  int Blocks = 0;
-};
+constexpr const char* ReferencePicture = "reference.rgba32f";
 
 class Laboratory
 {
@@ -55,17 +46,28 @@ public:
 
   std::vector<RunResult> Measure()
   {
+    this->Scene.Resize(this->ErrorWidth(), this->ErrorHeight());
     this->TakePictures();
     this->MeasureReference();
+    this->Scene.Resize(this->Settings.Width, this->Settings.Height);
     this->MeasureTimes();
+    for (Run& run : this->Runs)
+    {
+      if (this->Continue() && run.Result.Status == "ok" && run.Who->GetMapper())
+      {
+        run.Apply(this->Scene, this->Settings);
+        this->MeasureStages(run);
+        this->CountSamples(run);
+      }
+    }
     std::vector<RunResult> results;
     for (Run& run : this->Runs)
     {
-      if (this->Aborted && !this->IsOver(run))
+      if (this->Aborted && !run.IsOver())
       {
         continue;
       }
-      this->Summarise(run);
+      run.Summarise();
       results.push_back(run.Result);
     }
     return results;
@@ -76,23 +78,46 @@ private:
   {
     if (!who.GetMapper())
     {
-      this->AddRun(who, -1, who.GetPeerStepVoxels());
+      this->AddRun(who, -1, who.GetPeerStepVoxels(), {});
       return;
     }
     for (const int integrator : this->Settings.Integrators)
     {
       for (const double step : this->Settings.StepsVoxels)
       {
-        this->AddRun(who, integrator, step);
+        for (const auto& values : this->VariantsOf(who.GetId()))
+        {
+          this->AddRun(who, integrator, step, values);
+        }
       }
     }
   }
 
-  void AddRun(Contestant& who, int integrator, double step)
+  std::vector<std::vector<SettingValue>> VariantsOf(const std::string& technique) const
   {
-    Run run{ &who, integrator, {}, StopRule(this->Settings.Stop), {}, {}, 0 };
+    std::vector<std::vector<SettingValue>> variants;
+    for (const Variant& variant : this->Settings.Variants)
+    {
+      if (variant.Technique == technique)
+      {
+        variants.push_back(variant.Values);
+      }
+    }
+    if (variants.empty())
+    {
+      variants.emplace_back();
+    }
+    return variants;
+  }
+
+  void AddRun(Contestant& who, int integrator, double step, const std::vector<SettingValue>& values)
+  {
+    Run run{ &who, integrator, WithValues(this->Settings.Own, values), {},
+      StopRule(this->Settings.Stop), {}, {}, 0 };
     run.Result.Technique = who.GetId();
-    run.Result.Integrator = integrator < 0 ? "" : (integrator == 0 ? "Left" : "Midpoint");
+    run.Result.Integrator = integrator < 0 ? "" : IntegratorNames().NameOf(integrator);
+    run.Result.BlendMode = BlendModeNames().NameOf(this->Input.BlendMode);
+    run.Result.Settings = values;
     run.Result.StepVoxels = step;
     if (!who.GetUnsupported().empty())
     {
@@ -101,32 +126,6 @@ private:
     }
     this->Runs.push_back(std::move(run));
   }
-
-  void Apply(Run& run)
-  {
-    this->Scene.Show(*run.Who);
-    if (vtkVolumeBenchMapper* mapper = run.Who->GetMapper())
-    {
-      mapper->SetIntegrator(run.Integrator);
-      mapper->SetStepVoxels(run.Result.StepVoxels);
-      mapper->SetTerminationThreshold(this->Settings.TerminationThreshold);
-      mapper->SetRaySetUp(this->Settings.RaySetUp);
-    }
-  }
-
-  // A run that drew nothing is over, with the mapper's reason.
-  bool Failed(Run& run)
-  {
-    vtkVolumeBenchMapper* mapper = run.Who->GetMapper();
-    if (mapper && !mapper->GetFailure().empty())
-    {
-      run.Result.Status = mapper->GetUnsupported() ? "unsupported" : "failed";
-      run.Result.Reason = mapper->GetFailure();
-    }
-    return run.Result.Status != "ok";
-  }
-
-  bool IsOver(const Run& run) const { return run.Result.Status != "ok" || run.Rule.IsFinished(); }
 
   int ErrorFrame(int view) const
   {
@@ -145,7 +144,7 @@ private:
     double done = 0.0;
     for (const Run& run : this->Runs)
     {
-      done += this->IsOver(run) ? 1.0 : run.Rule.Progress();
+      done += run.IsOver() ? 1.0 : run.Rule.Progress();
     }
     this->Aborted = this->Aborted || !this->Report(done / static_cast<double>(this->Runs.size()));
     return !this->Aborted;
@@ -161,10 +160,10 @@ private:
         {
           break;
         }
-        this->Apply(run);
+        run.Apply(this->Scene, this->Settings);
         this->PlaceFrame(this->ErrorFrame(view));
         run.Pictures.push_back(this->Scene.Picture());
-        this->Failed(run);
+        run.HasFailed();
       }
     }
   }
@@ -184,6 +183,35 @@ private:
     this->Scene.Remove(reference);
   }
 
+  int ErrorWidth() const
+  {
+    return this->Settings.ErrorWidth > 0 ? this->Settings.ErrorWidth : this->Settings.Width;
+  }
+
+  int ErrorHeight() const
+  {
+    return this->Settings.ErrorHeight > 0 ? this->Settings.ErrorHeight : this->Settings.Height;
+  }
+
+  void KeepPictures(const FloatPicture& reference)
+  {
+    const std::string& folder = this->Settings.PictureFolder;
+    if (folder.empty())
+    {
+      return;
+    }
+    WriteFloatPicture(reference, folder + "/" + ReferencePicture);
+    for (std::size_t i = 0; i < this->Runs.size(); ++i)
+    {
+      Run& run = this->Runs[i];
+      if (run.Result.Status == "ok" && !run.Pictures.empty())
+      {
+        run.Result.Picture = "run-" + std::to_string(i) + ".rgba32f";
+        WriteFloatPicture(run.Pictures.front(), folder + "/" + run.Result.Picture);
+      }
+    }
+  }
+
   void CompareWith(vtkVolumeBenchMapper& mapper)
   {
     mapper.SetIntegrator(1);
@@ -199,12 +227,15 @@ private:
     {
       return;
     }
+    this->KeepPictures(references.front());
     const double uncertainty = this->ReferenceUncertainty(mapper);
     for (Run& run : this->Runs)
     {
       if (run.Result.Status == "ok" && run.Pictures.size() == references.size())
       {
         run.Result.Error = CompareImages(run.Pictures, references);
+        run.Result.ErrorWidth = references.front().Width;
+        run.Result.ErrorHeight = references.front().Height;
         run.Result.Reference = std::string(ReferenceTechnique) + " Midpoint " +
           std::to_string(this->Settings.ReferenceStepVoxels) + " voxels";
         run.Result.ReferenceUncertainty = uncertainty;
@@ -215,13 +246,12 @@ private:
 
   double ReferenceUncertainty(vtkVolumeBenchMapper& mapper)
   {
-    this->Scene.Resize(std::max(1, this->Settings.Width / ReferenceShrink),
-      std::max(1, this->Settings.Height / ReferenceShrink));
+    this->Scene.Resize(std::max(1, this->ErrorWidth() / ReferenceShrink),
+      std::max(1, this->ErrorHeight() / ReferenceShrink));
     this->PlaceFrame(this->ErrorFrame(0));
     const FloatPicture coarse = this->Scene.Picture();
     mapper.SetStepVoxels(0.5 * this->Settings.ReferenceStepVoxels);
     const FloatPicture fine = this->Scene.Picture();
-    this->Scene.Resize(this->Settings.Width, this->Settings.Height);
     return CompareImages(coarse, fine).Rmse;
   }
 
@@ -238,20 +268,20 @@ private:
       std::shuffle(waiting.begin(), waiting.end(), random);
       for (Run* run : waiting)
       {
-        if (this->Continue() && !this->IsOver(*run))
+        if (this->Continue() && !run->IsOver())
         {
           this->MeasureBlock(*run);
         }
       }
-      waiting.erase(std::remove_if(waiting.begin(), waiting.end(),
-                      [this](const Run* run) { return this->IsOver(*run); }),
+      waiting.erase(std::remove_if(
+                      waiting.begin(), waiting.end(), [](const Run* run) { return run->IsOver(); }),
         waiting.end());
     }
   }
 
   void MeasureBlock(Run& run)
   {
-    this->Apply(run);
+    run.Apply(this->Scene, this->Settings);
     const std::vector<int> frames = BlockFrames(
       run.Blocks, this->Settings.Stop.FramesPerBlock, this->Settings.Orbit.FramesPerTurn);
     this->PlaceFrame(frames.front());
@@ -260,7 +290,7 @@ private:
     {
       this->Scene.TimeFrame();
     }
-    if (this->Failed(run))
+    if (run.HasFailed())
     {
       return;
     }
@@ -276,32 +306,46 @@ private:
         break;
       }
     }
-    this->Describe(run);
+    run.Describe();
   }
 
-  void Describe(Run& run)
+  // Frames of their own, since timing its stages makes a frame slower. At least one is drawn, then
+  // as many as the time limit of a run allows.
+  void MeasureStages(Run& run)
   {
-    if (vtkVolumeBenchMapper* mapper = run.Who->GetMapper())
+    vtkVolumeBenchMapper& mapper = *run.Who->GetMapper();
+    mapper.TimeStagesOn();
+    const int turn = this->Settings.Orbit.FramesPerTurn;
+    const std::vector<int> views = BlockFrames(0, StageFrames, turn);
+    this->PlaceFrame(views.front());
+    this->Scene.TimeFrame();
+    std::vector<std::vector<StageTime>> frames;
+    double spentMs = 0.0;
+    for (std::size_t i = 0; i < views.size() && !mapper.GetStages().empty(); ++i)
     {
-      const SetUpCosts costs = mapper->GetSetUpCosts();
-      run.Result.Features = mapper->GetFeatures();
-      run.Result.LeftOut = mapper->GetLeftOut();
-      run.Result.UploadMs = costs.UploadMs;
-      run.Result.TablesMs = costs.TablesMs;
-      run.Result.GridMs = costs.GridMs;
-      run.Result.CompileMs = costs.CompileMs;
-      run.Result.BytesOnDevice = static_cast<double>(costs.BytesOnDevice);
+      this->PlaceFrame(views[i]);
+      spentMs += this->Scene.TimeFrame().WallMs;
+      frames.push_back(mapper.GetStages());
+      if (!this->Continue() || spentMs > 1000.0 * this->Settings.Stop.TimeLimitS)
+      {
+        break;
+      }
     }
+    mapper.TimeStagesOff();
+    run.Result.Stages = MedianStages(frames);
   }
 
-  void Summarise(Run& run)
+  void CountSamples(Run& run)
   {
-    if (run.Result.Status == "ok")
+    vtkVolumeBenchMapper& mapper = *run.Who->GetMapper();
+    mapper.CountSamplesOn();
+    this->PlaceFrame(this->ErrorFrame(0));
+    const FloatPicture picture = this->Scene.Picture();
+    if (mapper.GetFailure().empty())
     {
-      run.Result.Frames = static_cast<int>(run.Rule.GetFramesMs().size());
-      run.Result.FrameMs = Summarize(run.Rule.GetFramesMs());
-      run.Result.GpuMs = Summarize(run.GpuMs);
+      run.Result.Samples = SumSampleCounts(picture);
     }
+    mapper.CountSamplesOff();
   }
 
   ExperimentSettings Settings;
@@ -313,38 +357,6 @@ private:
   std::vector<Run> Runs;
   bool Aborted = false;
 };
-}
-
-void CheckSettings(const ExperimentSettings& settings)
-{
-  const auto refuse = [](bool wrong, const std::string& message)
-  {
-    if (wrong)
-    {
-      throw std::runtime_error(message);
-    }
-  };
-  refuse(settings.Width < 1 || settings.Height < 1,
-    "the image size is " + std::to_string(settings.Width) + " x " +
-      std::to_string(settings.Height) + "; both must be positive");
-  refuse(settings.Techniques.empty(), "no technique is chosen");
-  refuse(settings.Integrators.empty(), "no integrator is chosen");
-  refuse(settings.StepsVoxels.empty(), "no step is chosen");
-  for (const double step : settings.StepsVoxels)
-  {
-    refuse(!(step >= SmallestStepVoxels) || !std::isfinite(step),
-      "the step is " + std::to_string(step) + " voxels; it must be at least " +
-        std::to_string(SmallestStepVoxels));
-  }
-  refuse(settings.ErrorViews > 0 && !(settings.ReferenceStepVoxels >= 2.0 * SmallestStepVoxels),
-    "the reference step is " + std::to_string(settings.ReferenceStepVoxels) +
-      " voxels; it must be at least " + std::to_string(2.0 * SmallestStepVoxels));
-  refuse(settings.Orbit.FramesPerTurn < 1,
-    "the orbit has " + std::to_string(settings.Orbit.FramesPerTurn) + " frames");
-  refuse(!(settings.Orbit.Zoom > 0.0), "the zoom is " + std::to_string(settings.Orbit.Zoom));
-  refuse(settings.ErrorViews < 0 || settings.ErrorViews > settings.Orbit.FramesPerTurn,
-    std::to_string(settings.ErrorViews) + " error views do not fit an orbit of " +
-      std::to_string(settings.Orbit.FramesPerTurn) + " frames");
 }
 
 std::vector<RunResult> RunExperiment(const ExperimentSettings& settings,

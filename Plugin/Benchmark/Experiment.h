@@ -1,5 +1,6 @@
 // Measures techniques and peers on one volume in a window of its own: frame times while the camera
-// turns, and the error of their pictures against a reference.
+// turns, the error of their pictures against a reference, the samples they take and the time of
+// each stage. Only frame times come from timed frames; all else takes frames of its own.
 //
 // Runs are interleaved: in rounds, in seeded random order, each unfinished run shows one block of
 // frames, so that the noise of a shared machine hits all of them alike.
@@ -8,10 +9,11 @@
 
 #include "VolumeBenchBenchmarkModule.h"
 
+#include "ExperimentSettings.h"
 #include "ImageError.h"
-#include "Orbit.h"
+#include "SampleCount.h"
 #include "Statistics.h"
-#include "StopRule.h"
+#include "Techniques/Technique.h"
 
 #include <functional>
 #include <limits>
@@ -26,27 +28,13 @@ namespace volumebench
 {
 struct ContestantInput;
 
-struct ExperimentSettings
-{
-  std::vector<std::string> Techniques;
-  std::vector<int> Integrators; // vtkVolumeBenchMapper's numbers
-  std::vector<double> StepsVoxels;
-  double TerminationThreshold = 0.001;
-  int RaySetUp = 1;
-  int Width = 500;
-  int Height = 500;
-  OrbitSettings Orbit;
-  StopRuleSettings Stop;
-  int WarmUpFrames = 2;
-  int ErrorViews = 1; // spread evenly over the turn; 0: no error
-  double ReferenceStepVoxels = 1.0 / 32.0;
-};
-
 /// One row of the result; NaN and empty strings are what was not measured.
 struct RunResult
 {
   std::string Technique;
   std::string Integrator;
+  std::string BlendMode;
+  std::vector<SettingValue> Settings; // of the variant
   double StepVoxels = std::numeric_limits<double>::quiet_NaN();
   std::string Status = "ok"; // or "unsupported", "failed"
   std::string Reason;
@@ -60,7 +48,12 @@ struct RunResult
   double GridMs = std::numeric_limits<double>::quiet_NaN();
   double CompileMs = std::numeric_limits<double>::quiet_NaN();
   double BytesOnDevice = std::numeric_limits<double>::quiet_NaN();
+  std::vector<StageTime> Stages; // empty: one stage
+  SampleCount Samples;           // of the first error view
   ImageError Error;
+  int ErrorWidth = 0; // 0: no error was measured
+  int ErrorHeight = 0;
+  std::string Picture; // file in the picture folder
   std::string Reference;
   double ReferenceUncertainty = std::numeric_limits<double>::quiet_NaN();
 };
@@ -72,9 +65,6 @@ using ExperimentProgress = std::function<bool(double share)>;
 /// no OpenGL window. Runs that were cut short by an abort are left out of the result.
 VOLUMEBENCHBENCHMARK_EXPORT std::vector<RunResult> RunExperiment(const ExperimentSettings& settings,
   const ContestantInput& input, const ExperimentProgress& progress);
-
-/// Throws std::runtime_error that names the first value out of bounds.
-VOLUMEBENCHBENCHMARK_EXPORT void CheckSettings(const ExperimentSettings& settings);
 }
 
 #endif

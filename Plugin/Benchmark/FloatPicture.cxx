@@ -18,6 +18,8 @@
 #include "vtk_glew.h"
 
 #include <algorithm>
+#include <cstdio>
+#include <fstream>
 #include <stdexcept>
 #include <string>
 
@@ -179,5 +181,20 @@ FloatPicture RenderToFloat(vtkRenderer* renderer)
     throw std::runtime_error("the window did not render");
   }
   return pass->Picture;
+}
+
+void WriteFloatPicture(const FloatPicture& picture, const std::string& path)
+{
+  const std::vector<float>& pixels = picture.Pixels;
+  const std::string partial = path + ".part";
+  std::ofstream file(partial, std::ios::binary);
+  file.write(
+    reinterpret_cast<const char*>(pixels.data()), static_cast<std::streamsize>(pixels.size() * 4));
+  file.close();
+  if (!file || std::rename(partial.c_str(), path.c_str()) != 0)
+  {
+    std::remove(partial.c_str());
+    throw std::runtime_error("cannot write the file '" + path + "'");
+  }
 }
 }

@@ -5,6 +5,7 @@
 
 #include "VolumeBenchBenchmarkModule.h"
 
+#include <string>
 #include <vector>
 
 class vtkRenderer;
@@ -22,6 +23,11 @@ struct FloatPicture
 /// framebuffer of the renderer's size. Throws std::runtime_error when there is no OpenGL window or
 /// no float framebuffer. The renderer and its window are left as found.
 VOLUMEBENCHBENCHMARK_EXPORT FloatPicture RenderToFloat(vtkRenderer* renderer);
+
+/// Writes the pixels as they are in memory; the file appears whole or not at all. Throws
+/// std::runtime_error that names the file.
+VOLUMEBENCHBENCHMARK_EXPORT void WriteFloatPicture(
+  const FloatPicture& picture, const std::string& path);
 }
 
 #endif

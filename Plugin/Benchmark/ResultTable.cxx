@@ -1,5 +1,7 @@
 #include "ResultTable.h"
 
+#include "StageMedians.h"
+
 #include "vtkDoubleArray.h"
 #include "vtkNew.h"
 #include "vtkStringArray.h"
@@ -51,11 +53,6 @@ public:
     this->Number(name + ".max", [=](const RunResult& r) { return (r.*member).Max; });
   }
 
-  void Absent(const char* name)
-  {
-    this->Number(name, [](const RunResult&) { return std::numeric_limits<double>::quiet_NaN(); });
-  }
-
 private:
   const std::vector<RunResult>& Results;
   vtkTable* Table;
@@ -71,10 +68,31 @@ void FillCosts(Columns& columns)
   columns.Number("setup_ms.tables", [](const RunResult& r) { return r.TablesMs; });
   columns.Number("setup_ms.grid", [](const RunResult& r) { return r.GridMs; });
   columns.Number("setup_ms.compile", [](const RunResult& r) { return r.CompileMs; });
-  columns.Absent("samples_taken");
-  columns.Absent("samples_skipped");
-  columns.Absent("rays_terminated");
+  columns.Text("stages_ms", [](const RunResult& r) { return StagesJson(r.Stages); });
+  columns.Number("samples_taken", [](const RunResult& r) { return r.Samples.Taken; });
+  columns.Number("samples_skipped", [](const RunResult& r) { return r.Samples.Skipped; });
+  columns.Number("rays_terminated", [](const RunResult& r) { return r.Samples.RaysTerminated; });
   columns.Number("bytes_on_device", [](const RunResult& r) { return r.BytesOnDevice; });
+}
+
+double PixelsOrNan(int pixels)
+{
+  return pixels > 0 ? pixels : std::numeric_limits<double>::quiet_NaN();
+}
+
+void FillErrors(Columns& columns)
+{
+  columns.Number("error.rmse", [](const RunResult& r) { return r.Error.Rmse; });
+  columns.Number("error.linf", [](const RunResult& r) { return r.Error.Linf; });
+  columns.Number("error.p999", [](const RunResult& r) { return r.Error.P999; });
+  columns.Number("error.psnr", [](const RunResult& r) { return r.Error.Psnr; });
+  columns.Text("error.reference", [](const RunResult& r) { return r.Reference; });
+  columns.Number(
+    "error.reference_uncertainty", [](const RunResult& r) { return r.ReferenceUncertainty; });
+  columns.Number(
+    "error.image_size.w", [](const RunResult& r) { return PixelsOrNan(r.ErrorWidth); });
+  columns.Number(
+    "error.image_size.h", [](const RunResult& r) { return PixelsOrNan(r.ErrorHeight); });
 }
 }
 
@@ -84,7 +102,8 @@ void FillResultTable(const std::vector<RunResult>& results, const ExperimentSett
   Columns columns(results, table);
   columns.Text("technique", [](const RunResult& r) { return r.Technique; });
   columns.Text("integrator", [](const RunResult& r) { return r.Integrator; });
-  columns.Text("blend_mode", [](const RunResult&) { return std::string("Composite"); });
+  columns.Text("blend_mode", [](const RunResult& r) { return r.BlendMode; });
+  columns.Text("settings", [](const RunResult& r) { return SettingsJson(r.Settings); });
   columns.Number("step_voxels", [](const RunResult& r) { return r.StepVoxels; });
   columns.Number("image_size.w", [&](const RunResult&) { return settings.Width; });
   columns.Number("image_size.h", [&](const RunResult&) { return settings.Height; });
@@ -95,12 +114,7 @@ void FillResultTable(const std::vector<RunResult>& results, const ExperimentSett
   columns.Text("status", [](const RunResult& r) { return r.Status; });
   columns.Text("reason", [](const RunResult& r) { return r.Reason; });
   FillCosts(columns);
-  columns.Number("error.rmse", [](const RunResult& r) { return r.Error.Rmse; });
-  columns.Number("error.linf", [](const RunResult& r) { return r.Error.Linf; });
-  columns.Number("error.p999", [](const RunResult& r) { return r.Error.P999; });
-  columns.Number("error.psnr", [](const RunResult& r) { return r.Error.Psnr; });
-  columns.Text("error.reference", [](const RunResult& r) { return r.Reference; });
-  columns.Number(
-    "error.reference_uncertainty", [](const RunResult& r) { return r.ReferenceUncertainty; });
+  FillErrors(columns);
+  columns.Text("picture", [](const RunResult& r) { return r.Picture; });
 }
 }

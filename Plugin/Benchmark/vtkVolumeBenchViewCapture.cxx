@@ -6,27 +6,7 @@
 #include "vtkPVRenderView.h"
 #include "vtkRenderer.h"
 
-#include <cstdio>
-#include <fstream>
-
 vtkStandardNewMacro(vtkVolumeBenchViewCapture);
-
-namespace
-{
-void WriteWhole(const std::string& path, const std::vector<float>& pixels)
-{
-  const std::string partial = path + ".part";
-  std::ofstream file(partial, std::ios::binary);
-  file.write(
-    reinterpret_cast<const char*>(pixels.data()), static_cast<std::streamsize>(pixels.size() * 4));
-  file.close();
-  if (!file || std::rename(partial.c_str(), path.c_str()) != 0)
-  {
-    std::remove(partial.c_str());
-    throw std::runtime_error("cannot write the file '" + path + "'");
-  }
-}
-}
 
 vtkVolumeBenchViewCapture::vtkVolumeBenchViewCapture() = default;
 vtkVolumeBenchViewCapture::~vtkVolumeBenchViewCapture() = default;
@@ -44,7 +24,8 @@ void vtkVolumeBenchViewCapture::Capture()
     {
       throw std::runtime_error("there is no render view to capture");
     }
-    WriteWhole(this->FileName, volumebench::RenderToFloat(this->View->GetRenderer()).Pixels);
+    volumebench::WriteFloatPicture(
+      volumebench::RenderToFloat(this->View->GetRenderer()), this->FileName);
   }
   catch (const std::exception& error)
   {

@@ -2,6 +2,7 @@
 
 #include "Contestant.h"
 #include "Experiment.h"
+#include "Names.h"
 #include "ResultTable.h"
 #include "Scene/DefaultTransferFunction.h"
 #include "Scene/VolumeBuilder.h"
@@ -27,19 +28,6 @@ namespace
 {
 constexpr int OpacityStride = 2;
 constexpr int ColorStride = 4;
-
-int IntegratorNumber(const std::string& name)
-{
-  if (name == "Left")
-  {
-    return 0;
-  }
-  if (name == "Midpoint")
-  {
-    return 1;
-  }
-  throw std::runtime_error("there is no integrator '" + name + "'; known are Left, Midpoint");
-}
 
 void CheckAscending(const std::vector<double>& points, int stride, const char* what)
 {
@@ -93,6 +81,18 @@ void vtkVolumeBenchmark::AddIntegrator(const char* name)
 void vtkVolumeBenchmark::ClearIntegrators()
 {
   this->Integrators.clear();
+  this->Modified();
+}
+
+void vtkVolumeBenchmark::AddVariant(const char* text)
+{
+  this->Variants.emplace_back(text ? text : "");
+  this->Modified();
+}
+
+void vtkVolumeBenchmark::ClearVariants()
+{
+  this->Variants.clear();
   this->Modified();
 }
 
@@ -159,11 +159,17 @@ volumebench::ExperimentSettings vtkVolumeBenchmark::MakeSettings() const
   settings.Techniques = this->Techniques;
   for (const std::string& name : this->Integrators)
   {
-    settings.Integrators.push_back(IntegratorNumber(name));
+    settings.Integrators.push_back(volumebench::IntegratorNames().NumberOf(name));
   }
   settings.StepsVoxels = this->Steps;
   settings.TerminationThreshold = this->TerminationThreshold;
   settings.RaySetUp = this->RaySetUp;
+  settings.Own = { this->WorkGroupShape, this->SliceExtent, this->SliceThreads, this->SliceTarget,
+    this->SliceOrder };
+  for (const std::string& text : this->Variants)
+  {
+    settings.Variants.push_back(volumebench::ParseVariant(text));
+  }
   settings.Width = this->ImageSize[0];
   settings.Height = this->ImageSize[1];
   settings.Orbit = { this->Frames, this->Elevation, this->Zoom };
@@ -173,8 +179,12 @@ volumebench::ExperimentSettings vtkVolumeBenchmark::MakeSettings() const
   settings.Stop.DurationS = this->Seconds;
   settings.WarmUpFrames = this->WarmUpFrames;
   settings.ErrorViews = this->ErrorViews;
+  settings.ErrorWidth = this->ErrorImageSize[0];
+  settings.ErrorHeight = this->ErrorImageSize[1];
   settings.ReferenceStepVoxels = this->ReferenceStepVoxels;
+  settings.PictureFolder = this->PictureFolder;
   volumebench::CheckSettings(settings);
+  volumebench::BlendModeNames().NameOf(this->BlendMode);
   if (this->CameraPath != "orbit-y")
   {
     throw std::runtime_error(
@@ -195,6 +205,8 @@ void vtkVolumeBenchmark::Measure(vtkImageData* image, vtkTable* table)
   input.Components = scalars->GetNumberOfComponents();
   input.VectorMode = this->VectorMode;
   input.VectorComponent = this->VectorComponent;
+  input.BlendMode = this->BlendMode;
+  input.LightingDamping = this->LightingDamping;
   // Input that no technique can draw is refused here, before any window opens.
   const volumebench::Volume volume = volumebench::VolumeBuilder().Build(image,
     { input.CellArray ? VTK_SCALAR_MODE_USE_CELL_FIELD_DATA : VTK_SCALAR_MODE_USE_POINT_FIELD_DATA,
@@ -280,6 +292,8 @@ void vtkVolumeBenchmark::PrintSelf(ostream& os, vtkIndent indent)
   }
   os << "\n";
   os << indent << "ImageSize: " << this->ImageSize[0] << " x " << this->ImageSize[1] << "\n";
+  os << indent << "BlendMode: " << this->BlendMode << "\n";
+  os << indent << "LightingDamping: " << this->LightingDamping << "\n";
   os << indent << "Frames: " << this->Frames << "\n";
   os << indent << "ErrorViews: " << this->ErrorViews << "\n";
 }

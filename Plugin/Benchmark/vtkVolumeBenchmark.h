@@ -3,11 +3,12 @@
  * @brief   measures speed and error of volume-rendering techniques on the input
  *
  * Image data in, a table out with one row per run: every chosen technique with every chosen
- * integrator and step, and the peers vtk-gpu and vtk-fixed-point once each with ParaView's step.
- * The picture is drawn in an off-screen window of the filter's own while the camera goes round the
- * y axis. Column names are the keys of results.json, nested ones joined by dots; NaN and empty
- * strings stand for what was not measured. Times are milliseconds, errors are on linear
- * premultiplied float RGBA in [0, 1] over the union footprint.
+ * integrator, step and variant, and the peers vtk-gpu and vtk-fixed-point once each with ParaView's
+ * step. The picture is drawn in an off-screen window of the filter's own while the camera goes
+ * round the y axis. Column names are the keys of results.json, nested ones joined by dots;
+ * stages_ms and settings hold JSON objects. NaN and empty strings stand for what was not measured.
+ * Times are milliseconds, errors are on linear premultiplied float RGBA in [0, 1] over the union
+ * footprint.
  *
  * Bad settings and input that cannot be drawn give one error and an empty table.
  */
@@ -43,7 +44,7 @@ public:
   ///@}
 
   ///@{
-  /** Integrators by name, "Left" or "Midpoint". */
+  /** Integrators by name, "Left", "Midpoint" or "PreIntegrated". */
   void AddIntegrator(const char* name);
   void ClearIntegrators();
   ///@}
@@ -91,6 +92,38 @@ public:
   ///@}
 
   ///@{
+  /** As in vtkVolumeBenchMapper; the peers get the blend mode too. */
+  vtkSetMacro(BlendMode, int);
+  vtkGetMacro(BlendMode, int);
+  vtkSetMacro(LightingDamping, double);
+  vtkGetMacro(LightingDamping, double);
+  ///@}
+
+  ///@{
+  /** Settings that only some techniques have, as in vtkVolumeBenchMapper. */
+  vtkSetStdStringFromCharMacro(WorkGroupShape);
+  vtkGetCharFromStdStringMacro(WorkGroupShape);
+  vtkSetMacro(SliceExtent, int);
+  vtkGetMacro(SliceExtent, int);
+  vtkSetMacro(SliceThreads, int);
+  vtkGetMacro(SliceThreads, int);
+  vtkSetMacro(SliceTarget, int);
+  vtkGetMacro(SliceTarget, int);
+  vtkSetMacro(SliceOrder, int);
+  vtkGetMacro(SliceOrder, int);
+  ///@}
+
+  ///@{
+  /**
+   * Variants of a technique, "ID; name=value; name=value", with the names of the settings above in
+   * lower case: work_group_shape, slice_threads, ... Such a technique is measured once for each of
+   * its variants; what a variant does not name is as set above.
+   */
+  void AddVariant(const char* text);
+  void ClearVariants();
+  ///@}
+
+  ///@{
   /** Gradient shading with a headlight. */
   vtkSetMacro(Shade, bool);
   vtkGetMacro(Shade, bool);
@@ -134,6 +167,21 @@ public:
   vtkGetMacro(ReferenceStepVoxels, double);
   ///@}
 
+  ///@{
+  /** Size of the pictures that the error is measured on; 0 0: the size that is timed. */
+  vtkSetVector2Macro(ErrorImageSize, int);
+  vtkGetVector2Macro(ErrorImageSize, int);
+  ///@}
+
+  ///@{
+  /**
+   * Folder for what each run drew at the first error view, named in column picture, and for
+   * reference.rgba32f; format as in vtkVolumeBenchViewCapture. Empty: no pictures.
+   */
+  vtkSetStdStringFromCharMacro(PictureFolder);
+  vtkGetCharFromStdStringMacro(PictureFolder);
+  ///@}
+
 protected:
   vtkVolumeBenchmark();
   ~vtkVolumeBenchmark() override;
@@ -148,6 +196,13 @@ protected:
   int VectorMode = 0;
   int VectorComponent = 0;
   bool Shade = false;
+  int BlendMode = 0;
+  double LightingDamping = 0.0;
+  std::string WorkGroupShape = "Auto";
+  int SliceExtent = 0;
+  int SliceThreads = 0;
+  int SliceTarget = 0;
+  int SliceOrder = 0;
   std::string CameraPath = "orbit-y";
   int Frames = 36;
   double Elevation = 20.0;
@@ -159,6 +214,8 @@ protected:
   double Seconds = 0.0;
   int ErrorViews = 1;
   double ReferenceStepVoxels = 1.0 / 32.0;
+  int ErrorImageSize[2] = { 0, 0 };
+  std::string PictureFolder;
 
 private:
   vtkVolumeBenchmark(const vtkVolumeBenchmark&) = delete;
@@ -172,6 +229,7 @@ private:
 
   std::vector<std::string> Techniques;
   std::vector<std::string> Integrators;
+  std::vector<std::string> Variants;
   std::vector<double> Steps;
   std::vector<double> OpacityPoints; // x, alpha
   std::vector<double> ColorPoints;   // x, r, g, b

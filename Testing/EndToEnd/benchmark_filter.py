@@ -1,5 +1,8 @@
 """The filter VolumeBenchmark: rows from good settings, one clear error from bad ones."""
 
+import json
+import tempfile
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -88,6 +91,60 @@ def check_peers() -> None:
     expect_rows(bench, 3)
 
 
+def check_blend_modes() -> None:
+    """VTK's mapper gets the blend mode too; what it lacks is told, not drawn otherwise."""
+    bench = benchmark(wavelet(8))
+    bench.Techniques = ["vtk-gpu"]
+    bench.ErrorViews = 0
+    for mode in ("Maximum", "Minimum", "Average"):
+        bench.BlendMode = mode
+        table = expect_rows(bench, 1)
+        assert table.GetColumnByName("blend_mode").GetValue(0) == mode
+        assert table.GetColumnByName("status").GetValue(0) == "ok"
+    bench.BlendMode = "Gradient"
+    table = expect_rows(bench, 1)
+    assert table.GetColumnByName("status").GetValue(0) == "unsupported"
+    assert "Gradient" in table.GetColumnByName("reason").GetValue(0)
+
+
+def check_variants() -> None:
+    bench = benchmark(wavelet(8))
+    bench.Variants = [f"single-pass; slice_threads={count}" for count in (1, 4)]
+    table = expect_rows(bench, 2)
+    cells = [table.GetColumnByName("settings").GetValue(row) for row in range(2)]
+    assert [json.loads(cell) for cell in cells] == [
+        {"slice_threads": 1},
+        {"slice_threads": 4},
+    ]
+
+
+def check_samples_and_stages() -> None:
+    """Counts are whole numbers above 0 where a technique counts; stages are JSON."""
+    table = expect_rows(benchmark(wavelet(8)), 1)
+    taken = table.GetColumnByName("samples_taken").GetValue(0)
+    assert np.isnan(taken) or (taken > 0 and taken == int(taken)), taken
+    stages = table.GetColumnByName("stages_ms").GetValue(0)
+    assert not stages or all(value >= 0 for value in json.loads(stages).values())
+
+
+def check_errors_have_a_size_and_pictures() -> None:
+    bench = benchmark(wavelet(8))
+    bench.ErrorImageSize = [32, 20]
+    with tempfile.TemporaryDirectory() as folder:
+        bench.PictureFolder = folder
+        table = expect_rows(bench, 1)
+        name = table.GetColumnByName("picture").GetValue(0)
+        for file in (name, "reference.rgba32f"):
+            values = np.fromfile(Path(folder) / file, "<f4")
+            assert values.size == 32 * 20 * 4 and np.isfinite(values).all()
+            assert values.max() > 0
+    size = [table.GetColumnByName(f"error.image_size.{side}") for side in "wh"]
+    assert [column.GetValue(0) for column in size] == [32, 20]
+    assert table.GetColumnByName("image_size.w").GetValue(0) == 64
+    bench.PictureFolder = "/no/such/folder"
+    expect_nothing(bench, "/no/such/folder")
+
+
 def check_bad_settings() -> None:
     bench = benchmark(wavelet(8))
     for name, value, cause in (
@@ -98,7 +155,11 @@ def check_bad_settings() -> None:
         ("StepVoxels", [float("nan")], "step"),
         ("ImageSize", [0, 0], "size"),
         ("ImageSize", [-5, 10], "size"),
+        ("ErrorImageSize", [5, 0], "5 x 0"),
         ("Integrators", ["Simpson"], "Simpson"),
+        ("SliceThreads", 3, "threads 3"),
+        ("Variants", ["slices"], "'slices', which is not measured"),
+        ("Variants", ["single-pass; colour=red"], "colour"),
         ("OpacityPoints", [1.0, 0.1, 0.0, 0.5], "ascending"),
         ("CameraPath", "spiral", "spiral"),
         ("Frames", 0, "frames"),

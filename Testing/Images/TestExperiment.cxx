@@ -40,6 +40,37 @@ bool GoOn(double)
 {
   return true;
 }
+
+struct RayLengths
+{
+  double Sum = 0.0;
+  int Rays = 0;
+};
+
+// Of all rays of the first error view, in voxels of edge 1.
+RayLengths LengthsInCube(const ExperimentSettings& settings, const double bounds[6])
+{
+  const int frame = settings.Orbit.FramesPerTurn / (8 * settings.ErrorViews);
+  const CameraPose pose = OrbitPose(frame, settings.Orbit, bounds);
+  vtkNew<vtkRenderer> renderer;
+  vtkCamera* camera = renderer->GetActiveCamera();
+  camera->SetPosition(pose.Position);
+  camera->SetFocalPoint(pose.FocalPoint);
+  camera->SetViewUp(pose.ViewUp);
+  camera->SetViewAngle(pose.ViewAngleDegrees);
+  camera->SetClippingRange(1e-3, 1e6);
+  RayLengths lengths;
+  for (int y = 0; y < settings.Height; ++y)
+  {
+    for (int x = 0; x < settings.Width; ++x)
+    {
+      const double length = RayOfPixel(renderer, bounds, x, y, settings.Width).Length();
+      lengths.Sum += length;
+      lengths.Rays += length > 0.0 ? 1 : 0;
+    }
+  }
+  return lengths;
+}
 }
 
 class Experiments : public EveryTechnique
@@ -105,6 +136,71 @@ TEST_P(Experiments, AbortEndsItWithoutHalfMeasuredRows)
   }
 }
 
+// A cube of one value under a colour and an opacity that stop no ray: the number of samples is the
+// length of all rays in steps, but for the part of a step at the end of each.
+TEST_P(Experiments, CountsTheSamplesOfAConstantCube)
+{
+  SmallInput small;
+  small.Image = MakeImage(17, 17, 17, [](double, double, double) { return 0.5; });
+  small.Property = MakeConstantProperty(0.01);
+  small.Input.Image = small.Image;
+  small.Input.Property = small.Property;
+  ExperimentSettings settings = SmallSettings(GetParam());
+  const auto results = RunExperiment(settings, small.Input, GoOn);
+  ASSERT_EQ(results.size(), 1u);
+  const SampleCount& samples = results[0].Samples;
+  if (std::isnan(samples.Taken))
+  {
+    GTEST_SKIP() << GetParam() << " does not count its samples";
+  }
+  const RayLengths expected = LengthsInCube(settings, small.Image->GetBounds());
+  EXPECT_NEAR(samples.Taken + samples.Skipped, expected.Sum + 0.5 * expected.Rays,
+    0.6 * expected.Rays + 0.04 * expected.Sum);
+  EXPECT_EQ(samples.RaysTerminated, 0.0);
+}
+
+TEST_P(Experiments, StagesAreNamedAndTakeTime)
+{
+  const SmallInput small;
+  const auto results = RunExperiment(SmallSettings(GetParam()), small.Input, GoOn);
+  ASSERT_EQ(results.size(), 1u);
+  for (const StageTime& stage : results[0].Stages)
+  {
+    EXPECT_FALSE(stage.Name.empty());
+    EXPECT_GE(stage.Ms, 0.0) << stage.Name;
+  }
+  EXPECT_NE(results[0].Stages.size(), 1u) << "one stage is the frame itself";
+}
+
+TEST_P(Experiments, ErrorsTakeASizeOfTheirOwn)
+{
+  const SmallInput small;
+  ExperimentSettings settings = SmallSettings(GetParam());
+  settings.ErrorWidth = 24;
+  settings.ErrorHeight = 20;
+  const auto results = RunExperiment(settings, small.Input, GoOn);
+  ASSERT_EQ(results.size(), 1u);
+  EXPECT_EQ(results[0].ErrorWidth, 24);
+  EXPECT_EQ(results[0].ErrorHeight, 20);
+  EXPECT_GT(results[0].Error.Rmse, 0.0);
+}
+
+TEST_P(Experiments, AVariantIsARowOfItsOwn)
+{
+  const SmallInput small;
+  ExperimentSettings settings = SmallSettings(GetParam());
+  settings.Techniques.emplace_back("vtk-gpu");
+  for (const char* threads : { "1", "4" })
+  {
+    settings.Variants.push_back({ GetParam(), { { "slice_threads", threads } } });
+  }
+  const auto results = RunExperiment(settings, small.Input, GoOn);
+  ASSERT_EQ(results.size(), 3u);
+  EXPECT_EQ(SettingsJson(results[0].Settings), "{\"slice_threads\": 1}");
+  EXPECT_EQ(SettingsJson(results[1].Settings), "{\"slice_threads\": 4}");
+  EXPECT_TRUE(results[2].Settings.empty());
+}
+
 TEST_P(Experiments, RotatesForSeconds)
 {
   const SmallInput small;
@@ -142,6 +238,18 @@ TEST(ExperimentSettings, NameWhatIsWrong)
     std::string::npos);
   EXPECT_NE(messageOf([](ExperimentSettings& s) { s.Techniques.clear(); }).find("no technique"),
     std::string::npos);
+  EXPECT_NE(
+    messageOf([](ExperimentSettings& s) { s.ErrorWidth = 5; }).find("5 x 0"), std::string::npos);
+  EXPECT_NE(messageOf([](ExperimentSettings& s) { s.Own.SliceThreads = 3; }).find("threads 3"),
+    std::string::npos);
+  EXPECT_NE(messageOf([](ExperimentSettings& s) { s.Integrators = { 2 }; }).find("integrator 2"),
+    std::string::npos);
+  EXPECT_NE(messageOf(
+              [](ExperimentSettings& s) {
+                s.Variants = { { "slices", {} } };
+              })
+              .find("'slices', which is not measured"),
+    std::string::npos);
   EXPECT_NE(messageOf([](ExperimentSettings& s) { s.ErrorViews = 99; }).find("99 error views"),
     std::string::npos);
 }
@@ -158,5 +266,23 @@ TEST(ExperimentContestants, UnknownOnesAreNamedWithTheKnown)
   {
     EXPECT_NE(std::string(error.what()).find("'nix'"), std::string::npos);
     EXPECT_NE(std::string(error.what()).find("vtk-fixed-point"), std::string::npos);
+  }
+}
+
+TEST(ExperimentContestants, PeersSayWhichBlendModesTheyLack)
+{
+  SmallInput small;
+  small.Input.BlendMode = vtkVolumeBenchMapper::GRADIENT_BLEND;
+  ExperimentSettings settings = SmallSettings("vtk-gpu");
+  settings.ErrorViews = 0;
+  const auto gradient = RunExperiment(settings, small.Input, GoOn);
+  ASSERT_EQ(gradient.size(), 1u);
+  EXPECT_EQ(gradient[0].Status, "unsupported");
+  EXPECT_NE(gradient[0].Reason.find("Gradient"), std::string::npos);
+  EXPECT_EQ(gradient[0].BlendMode, "Gradient");
+  for (const int mode : { 1, 2, 3 })
+  {
+    small.Input.BlendMode = mode;
+    EXPECT_EQ(RunExperiment(settings, small.Input, GoOn)[0].Status, "ok") << mode;
   }
 }

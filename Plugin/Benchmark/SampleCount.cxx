@@ -1,0 +1,35 @@
+#include "SampleCount.h"
+
+#include "FloatPicture.h"
+
+#include <cmath>
+#include <cstddef>
+
+namespace volumebench
+{
+namespace
+{
+bool IsCount(float value)
+{
+  return std::isfinite(value) && value >= 0.0f && value == std::floor(value);
+}
+}
+
+SampleCount SumSampleCounts(const FloatPicture& picture)
+{
+  SampleCount sum{ 0.0, 0.0, 0.0 };
+  const std::vector<float>& pixels = picture.Pixels;
+  for (std::size_t i = 0; i + 3 < pixels.size(); i += 4)
+  {
+    if (!IsCount(pixels[i]) || !IsCount(pixels[i + 1]) || !IsCount(pixels[i + 2]) ||
+      pixels[i + 2] > 1.0f)
+    {
+      return {};
+    }
+    sum.Taken += pixels[i];
+    sum.Skipped += pixels[i + 1];
+    sum.RaysTerminated += pixels[i + 2];
+  }
+  return sum.Taken + sum.Skipped > 0.0 ? sum : SampleCount();
+}
+}

@@ -1,0 +1,55 @@
+// Settings that only some techniques have, and variants of a technique that differ in them.
+#ifndef volumebench_TechniqueSettings_h
+#define volumebench_TechniqueSettings_h
+
+#include "VolumeBenchBenchmarkModule.h"
+
+#include <string>
+#include <vector>
+
+class vtkVolumeBenchMapper;
+
+namespace volumebench
+{
+/// Numbers and texts as in vtkVolumeBenchMapper. A technique ignores what it does not have.
+struct TechniqueSettings
+{
+  std::string WorkGroupShape = "Auto";
+  int SliceExtent = 0;
+  int SliceThreads = 0;
+  int SliceTarget = 0;
+  int SliceOrder = 0;
+};
+
+struct SettingValue
+{
+  std::string Name; // such as slice_threads
+  std::string Text; // such as 4
+};
+
+/// A technique that is measured with settings of its own, once for each of its variants.
+struct Variant
+{
+  std::string Technique;
+  std::vector<SettingValue> Values;
+};
+
+/// Reads "ID; name=value; name=value" with the names work_group_shape, slice_extent, slice_threads,
+/// slice_target and slice_order. Throws std::runtime_error that quotes what it cannot read.
+VOLUMEBENCHBENCHMARK_EXPORT Variant ParseVariant(const std::string& text);
+
+/// `settings` with the values of a variant in place. Throws for unknown names and values.
+VOLUMEBENCHBENCHMARK_EXPORT TechniqueSettings WithValues(
+  const TechniqueSettings& settings, const std::vector<SettingValue>& values);
+
+/// The values as a JSON object, numbers as numbers.
+VOLUMEBENCHBENCHMARK_EXPORT std::string SettingsJson(const std::vector<SettingValue>& values);
+
+/// Throws std::runtime_error that names the first number out of bounds.
+VOLUMEBENCHBENCHMARK_EXPORT void CheckTechniqueSettings(const TechniqueSettings& settings);
+
+VOLUMEBENCHBENCHMARK_EXPORT void ApplySettings(
+  const TechniqueSettings& settings, vtkVolumeBenchMapper& mapper);
+}
+
+#endif
