@@ -5,13 +5,15 @@ import signal
 import sys
 from pathlib import Path
 
+from .datasets import with_stand_ins
 from .errors import BenchError
 from .plot import write_plots
 from .progress import Progress
 from .report import write_report
 from .results import FAILED, Record
 from .runner import Runner, find_inputs, prepare_folder
-from .study import Study, find_study, load_study
+from .study import Study
+from .study_file import find_study, load_study
 from .summary import text_table, unfinished
 
 
@@ -30,7 +32,11 @@ def parse(arguments: list[str] | None) -> argparse.Namespace:
     )
     add = parser.add_argument
     add("study", metavar="STUDY", help="a file, or a name under Python/Studies")
-    add("--quick", action="store_true", help="only the extremes of each factor")
+    add(
+        "--quick",
+        action="store_true",
+        help="what the study calls quick, or its extremes",
+    )
     add("--out", type=Path, metavar="DIR", help="default: Results/NAME")
     add("--data", type=Path, metavar="DIR", help="folder with more volumes")
     add("--techniques", metavar="A,B", help="these techniques in place of the study's")
@@ -40,19 +46,19 @@ def parse(arguments: list[str] | None) -> argparse.Namespace:
 
 
 def study_of(options: argparse.Namespace) -> Study:
-    """Return the study after the cuts of the command line."""
+    """Return the study after the cuts of the command line, on the volumes that are here."""
     study = load_study(find_study(options.study))
     if options.techniques is not None:
         names = [name.strip() for name in options.techniques.split(",")]
         study = study.only([name for name in names if name])
-    return study.quick() if options.quick else study
+    if options.data is not None and not options.data.is_dir():
+        raise BenchError(f"--data {options.data}: no such folder")
+    return with_stand_ins(study.quick() if options.quick else study, options.data)
 
 
 def run(options: argparse.Namespace) -> int:
     """Measure the study and write everything; return the exit code."""
     study = study_of(options)
-    if options.data is not None and not options.data.is_dir():
-        raise BenchError(f"--data {options.data}: no such folder")
     suffix = "-quick" if options.quick else ""
     folder = options.out or Path("Results") / f"{study.name}{suffix}"
     earlier = prepare_folder(study, folder, options.resume)

@@ -1,13 +1,13 @@
 """Finds a volume by name: built in, generated, or a file in the user's data folder."""
 
 import math
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 
 from .errors import StudyError
-from .generators import Lemniscate, write_volume
+from .generators import GENERATORS, Generator, write_volume
 from .json_file import check_schema, read_json
-from .study import Dataset
+from .study import Dataset, Study
 
 MRI_FILE = Path("/usr/share/mricron/templates/ch2.nii.gz")
 EXTENSIONS = (".nrrd", ".mhd", ".vti", ".nii", ".nii.gz", ".raw")
@@ -43,17 +43,35 @@ class VolumeFile:
     upright: bool = False
 
 
+def with_stand_ins(study: Study, data_folder: Path | None) -> Study:
+    """Return the study with generated volumes in place of those that have no file here."""
+    stand_ins = {
+        dataset.name: replace(
+            dataset, name=dataset.otherwise, otherwise=None, stands_for=dataset.name
+        )
+        for dataset in study.datasets
+        if dataset.otherwise and find_file(dataset.name, data_folder) is None
+    }
+    return study.with_datasets(stand_ins) if stand_ins else study
+
+
+def find_file(name: str, data_folder: Path | None) -> Path | None:
+    """Return the file of a volume in the data folder, if there is one."""
+    if data_folder is None:
+        return None
+    candidates = [data_folder / f"{name}{extension}" for extension in EXTENSIONS]
+    return next((path for path in candidates if path.is_file()), None)
+
+
 def find_volume(dataset: Dataset, data_folder: Path | None, cache: Path) -> VolumeFile:
     """Return the file of a dataset; a generated one is written into the cache folder."""
     name = dataset.name
-    if name == "lemniscate":
-        return VolumeFile(name, write_volume(_lemniscate(dataset), cache))
-    if data_folder is not None:
-        for extension in EXTENSIONS:
-            path = data_folder / f"{name}{extension}"
-            if path.is_file():
-                raw = read_raw_layout(path) if extension == ".raw" else None
-                return VolumeFile(name, path, raw)
+    if name in GENERATORS:
+        return VolumeFile(name, write_volume(_generator(dataset), cache))
+    path = find_file(name, data_folder)
+    if path is not None:
+        raw = read_raw_layout(path) if path.suffix == ".raw" else None
+        return VolumeFile(name, path, raw)
     if name == "mri":
         return _built_in_mri()
     looked = (
@@ -62,17 +80,15 @@ def find_volume(dataset: Dataset, data_folder: Path | None, cache: Path) -> Volu
     raise StudyError(
         f'dataset "{name}": no file {name} with extension '
         f'{", ".join(item[1:] for item in EXTENSIONS)}; looked {looked}; '
-        "built in: mri, lemniscate"
+        f'built in: {", ".join(["mri", *GENERATORS])}'
     )
 
 
-def _lemniscate(dataset: Dataset) -> Lemniscate:
-    given = {
-        "dims": dataset.dims,
-        "scalar_type": dataset.scalar_type,
-        "extent": dataset.extent,
-    }
-    return Lemniscate(**{key: value for key, value in given.items() if value})
+def _generator(dataset: Dataset) -> Generator:
+    kind = GENERATORS[dataset.name]
+    given = asdict(dataset)
+    known = (name for name in kind.__dataclass_fields__ if given[name] is not None)
+    return kind(**{name: given[name] for name in known})
 
 
 def _built_in_mri() -> VolumeFile:

@@ -13,7 +13,10 @@ EIGHT_BIT_RMSE = 1.13e-3
 
 @dataclass(frozen=True)
 class ImageError:
-    """RMSE, largest and 99.9 % difference, PSNR; None stands for not measured."""
+    """RMSE, largest and 99.9 % difference, PSNR and what they were measured on.
+
+    None stands for not measured.
+    """
 
     rmse: float | None = None
     linf: float | None = None
@@ -21,6 +24,7 @@ class ImageError:
     psnr: float | None = None
     reference: str | None = None
     reference_uncertainty: float | None = None
+    image_size: tuple[int, int] | None = None
 
 
 def compare(
@@ -33,6 +37,7 @@ def compare(
     Only pixels that one of the two covers (alpha above 0) count: empty background would flatter
     the mean. PSNR takes 1 as the peak and is None for equal pictures.
     """
+    pairs = list(pairs)
     differences = [footprint_difference(picture, truth) for picture, truth in pairs]
     pooled = np.concatenate(differences) if differences else np.empty(0)
     if not pooled.size:
@@ -49,6 +54,7 @@ def compare(
         -20 * math.log10(rmse) if rmse > 0 else None,
         reference,
         uncertainty,
+        pairs[0][0].shape[1::-1],
     )
 
 

@@ -6,6 +6,7 @@ import tempfile
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Protocol
 
 import numpy as np
 
@@ -13,6 +14,19 @@ from .errors import BenchError
 from .json_file import write_atomically
 
 META_TYPES = {"uint8": "MET_UCHAR", "uint16": "MET_USHORT", "float32": "MET_FLOAT"}
+
+
+class Generator(Protocol):
+    """A volume that is computed from its parameters."""
+
+    dims: tuple[int, int, int]
+    scalar_type: str
+
+    def file_stem(self) -> str:
+        ...
+
+    def slices(self) -> Iterator[np.ndarray]:
+        ...
 
 
 @dataclass(frozen=True)
@@ -41,7 +55,7 @@ class Lemniscate:
         corner = self._field(axes[0][0] ** 2 + axes[1][0] ** 2, axes[2][0])
         for z in axes[2]:
             value = (self._field(radius_squared, z) - corner) / (1 - corner)
-            yield self._quantised(np.clip(value, 0, 1))
+            yield quantised(value, self.scalar_type)
 
     def _axes(self) -> list[np.ndarray]:
         """Return sample positions in focal distances; z spans [-extent, extent]."""
@@ -55,14 +69,56 @@ class Lemniscate:
         )
         return 1 / (1 + product)
 
-    def _quantised(self, value: np.ndarray) -> np.ndarray:
-        if self.scalar_type == "float32":
-            return value.astype("<f4")
-        stored = np.dtype(self.scalar_type).newbyteorder("<")
-        return np.rint(value * np.iinfo(stored).max).astype(stored)
+
+@dataclass(frozen=True)
+class Ball:
+    """A hollow ball with a smooth wall, alone in a box that it nearly fills.
+
+    With r the distance from the centre, 1 at the nearest faces, the value is
+    exp(-((r - 0.62) / 0.16)^2), less what it is at the faces: all nought from there outwards.
+    """
+
+    dims: tuple[int, int, int] = (32, 32, 32)
+    scalar_type: str = "uint8"
+
+    RADIUS = 0.62
+    WALL = 0.16
+
+    def file_stem(self) -> str:
+        """Return a name that holds every parameter, so that a stored volume can be reused."""
+        size = "x".join(str(count) for count in self.dims)
+        return f"ball-{size}-{self.scalar_type}"
+
+    def slices(self) -> Iterator[np.ndarray]:
+        """Yield the slices along z, each [y, x], in the scalar type of the volume."""
+        half = (min(self.dims) - 1) / 2
+        x, y, z = ((np.arange(n) - (n - 1) / 2) / half for n in self.dims)
+        radius_squared = x[None, :] ** 2 + y[:, None] ** 2
+        edge = self._field(np.float64(1.0))
+        for height in z:
+            value = self._field(np.sqrt(radius_squared + height**2))
+            yield quantised((value - edge) / (1 - edge), self.scalar_type)
+
+    def _field(self, radius: np.ndarray) -> np.ndarray:
+        return np.exp(-(((radius - self.RADIUS) / self.WALL) ** 2))
 
 
-def write_volume(generator: Lemniscate, folder: Path) -> Path:
+GENERATORS: dict[str, type[Lemniscate] | type[Ball]] = {
+    "lemniscate": Lemniscate,
+    "ball": Ball,
+}
+
+
+def quantised(value: np.ndarray, scalar_type: str) -> np.ndarray:
+    """Return values, cut to [0, 1], over the whole range of a scalar type."""
+    value = np.clip(value, 0, 1)
+    if scalar_type == "float32":
+        return value.astype("<f4")
+    stored = np.dtype(scalar_type).newbyteorder("<")
+    return np.rint(value * np.iinfo(stored).max).astype(stored)
+
+
+def write_volume(generator: Generator, folder: Path) -> Path:
     """Write NAME.raw and NAME.mhd unless both are there; the header comes last."""
     header = folder / f"{generator.file_stem()}.mhd"
     raw = header.with_suffix(".raw")
@@ -84,7 +140,7 @@ def write_volume(generator: Lemniscate, folder: Path) -> Path:
     return header
 
 
-def _write_raw(generator: Lemniscate, raw: Path) -> None:
+def _write_raw(generator: Generator, raw: Path) -> None:
     temporary = None
     try:
         raw.parent.mkdir(parents=True, exist_ok=True)

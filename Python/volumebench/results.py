@@ -4,7 +4,7 @@ import csv
 import io
 import json
 import math
-from dataclasses import asdict, dataclass, field, fields
+from dataclasses import asdict, dataclass, field, fields, replace
 from pathlib import Path
 from typing import Any
 
@@ -12,13 +12,14 @@ from .error import ImageError
 from .errors import BenchError
 from .json_file import check_schema, read_json, write_atomically
 from .statistics import Spread, spread
-from .study import Run, Scene
+from .study import COMPOSITE, Run, Scene
 
 SCHEMA = 1
 OK = "ok"
 UNSUPPORTED = "unsupported"
 FAILED = "failed"
 _LISTS = ("features", "left_out")
+_NESTED = ("stages_ms", "settings")
 
 
 @dataclass(frozen=True)
@@ -65,6 +66,8 @@ class Record:
     image_size: tuple[int, int]
     view: str
     path: str
+    settings: dict[str, Any] = field(default_factory=dict)
+    stand_in_for: str | None = None
     features: tuple[str, ...] | None = None
     left_out: tuple[str, ...] | None = None
     status: str = OK
@@ -74,6 +77,7 @@ class Record:
     gpu_ms: Spread = field(default_factory=Spread)
     fps: float | None = None
     setup_ms: SetUpTimes = field(default_factory=SetUpTimes)
+    stages_ms: dict[str, float | None] | None = None
     samples_taken: int | None = None
     samples_skipped: int | None = None
     rays_terminated: int | None = None
@@ -82,9 +86,18 @@ class Record:
 
     def run(self) -> Run:
         """Return the run that this row answers."""
-        scene = Scene(self.dataset, self.transfer_function, self.image_size)
-        sampling = (self.integrator, self.step_voxels)
-        return Run(self.study, scene, self.technique, *sampling, self.view, self.path)
+        blending = self.blend_mode or COMPOSITE
+        scene = Scene(self.dataset, self.transfer_function, self.image_size, blending)
+        return Run(
+            self.study,
+            scene,
+            self.technique,
+            self.integrator,
+            self.step_voxels,
+            self.view,
+            self.path,
+            tuple(self.settings.items()),
+        )
 
 
 def record_of(
@@ -100,11 +113,12 @@ def record_of(
         transfer_function=scene.transfer_function,
         technique=run.technique,
         integrator=run.integrator,
-        blend_mode=values.pop("blend_mode", "Composite"),
+        blend_mode=scene.blend_mode,
         step_voxels=run.step_voxels,
         image_size=scene.image_size,
         view=run.view,
         path=run.path,
+        settings=dict(run.settings),
         **values,
     )
 
@@ -129,16 +143,24 @@ def values_of_row(row: dict[str, Any]) -> dict[str, Any]:
     for name, group in groups.items():
         parts = {part.name for part in fields(group)}
         values[name] = group(**{part: cleaned.get(f"{name}.{part}") for part in parts})
+    values["error"] = replace(values["error"], image_size=_error_size(cleaned))
+    stages = cleaned.get("stages_ms")
+    values["stages_ms"] = json.loads(stages) if stages else None
     for name in _LISTS:
         text = cleaned.get(name)
         values[name] = tuple(text.split()) if text else () if name in row else None
     for name in ("frames", "samples_taken", "samples_skipped", "rays_terminated"):
         values[name] = _whole(cleaned.get(name))
     values["bytes_on_device"] = _whole(cleaned.get("bytes_on_device"))
-    for name in ("fps", "reason", "blend_mode"):
+    for name in ("fps", "reason"):
         values[name] = cleaned.get(name)
     values["status"] = cleaned.get("status") or FAILED
     return values
+
+
+def _error_size(row: dict[str, Any]) -> tuple[int, int] | None:
+    width, height = (row.get(f"error.image_size.{side}") for side in "wh")
+    return (int(width), int(height)) if width and height else None
 
 
 def _cleaned(value: Any) -> Any:
@@ -182,24 +204,39 @@ def _record_from(row: dict[str, Any]) -> Record:
         ("error", ImageError),
     ):
         values[name] = group(**values[name])
+    size = values["error"].image_size
+    if size is not None:
+        error = replace(values["error"], image_size=tuple(size))
+        values["error"] = error
     return Record(**values)
 
 
 def flattened(record: Record) -> dict[str, Any]:
-    """Return the record with dotted names; lists are joined, sizes split in w and h."""
+    """Return the record with dotted names; lists are joined, sizes split in w and h.
+
+    Objects whose keys differ from row to row stay JSON text in one cell.
+    """
     flat: dict[str, Any] = {}
     for name, value in asdict(record).items():
-        if isinstance(value, dict):
-            flat.update({f"{name}.{part}": item for part, item in value.items()})
-        elif name == "image_size":
-            flat["image_size.w"], flat["image_size.h"] = value
+        if name in _NESTED:
+            flat[name] = json.dumps(value) if value else None
+        elif isinstance(value, dict):
+            for part, item in value.items():
+                flat.update(_flat_value(f"{name}.{part}", item))
         elif name == "dims":
             flat[name] = None if value is None else "x".join(str(n) for n in value)
         elif name in _LISTS:
             flat[name] = None if value is None else " ".join(value)
         else:
-            flat[name] = value
+            flat.update(_flat_value(name, value))
     return flat
+
+
+def _flat_value(name: str, value: Any) -> dict[str, Any]:
+    """Return one cell, or two for the size of a picture."""
+    if not name.endswith("image_size"):
+        return {name: value}
+    return dict(zip((f"{name}.w", f"{name}.h"), value or (None, None)))
 
 
 def as_csv(records: list[Record]) -> str:

@@ -1,6 +1,6 @@
 """Runs a study: scene by scene through a session, writing the results after each step."""
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any, Protocol
 
@@ -158,7 +158,9 @@ class Runner:
     def _engine(
         self, session: Session, volume: Any, function: Any, runs: Any, report: Any
     ) -> list[Record]:
-        return session.run_engine(volume, function, runs, report)
+        records, pictures = session.run_engine(volume, function, runs, report)
+        self._keep_pictures(runs[0].scene, pictures, records)
+        return records
 
     def _view(
         self, session: Session, volume: Any, function: Any, runs: Any, report: Any
@@ -177,9 +179,13 @@ class Runner:
             write_gallery(self.folder, scene, pictures, records)
 
     def _add(self, records: list[Record], progress: Progress) -> None:
-        self.records.extend(records)
+        self.records.extend(self._with_stand_in(record) for record in records)
         progress.finish(len(records))
         self._write()
+
+    def _with_stand_in(self, record: Record) -> Record:
+        stands_for = self.study.dataset(record.dataset).stands_for
+        return replace(record, stand_in_for=stands_for)
 
     def _write(self) -> None:
         replaced = {record.run().key(): record for record in self.records}

@@ -84,7 +84,7 @@ class Session:
         function: TransferFunction,
         runs: list[Run],
         report: Any,
-    ) -> list[Record]:
+    ) -> tuple[list[Record], Pictures]:
         """Measure the runs of one scene through the benchmark filter."""
         return run_engine(self._study, volume, function, runs, self._labels, report)
 
@@ -96,9 +96,7 @@ class Session:
         report: Any,
     ) -> tuple[list[Contestant], Pictures]:
         """Measure the runs of one scene in a render view."""
-        stage = ViewStage(
-            volume, function, runs[0].scene.image_size, self._study.ray_set_up
-        )
+        stage = ViewStage(volume, function, runs[0].scene, self._study)
         try:
             return measure_view(stage, runs, self._study, report)
         finally:

@@ -1,20 +1,27 @@
 """Path `engine`: measures the runs of one scene through the filter proxy VolumeBenchmark."""
 
+import json
 import math
+import tempfile
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
+import numpy as np
 from paraview import servermanager, simple
 
 from .errors import BenchError
 from .results import FAILED, UNSUPPORTED, Record, record_of, values_of_row
 from .session_support import ErrorLog, producer_of
 from .study import Run, Study
-from .techniques import TECHNIQUES
+from .technique_settings import variant_text
+from .techniques import ENGINE, TECHNIQUES
 from .transfer_functions import TransferFunction
+from .view_measure import Pictures
 from .volume_io import OpenVolume
 
 FILTER_PROXY = "VolumeBenchmark"
+REFERENCE_FILE = "reference.rgba32f"
 
 
 def run_engine(
@@ -24,11 +31,21 @@ def run_engine(
     runs: list[Run],
     labels: list[str],
     report: Callable[[float], None],
-) -> list[Record]:
+) -> tuple[list[Record], Pictures]:
     """Measure the runs that this build has a technique for; return one record per run."""
     present = [run for run in runs if _is_present(run, labels)]
-    measured = _execute(study, volume, function, present, report) if present else {}
-    return [measured.get(run) or _absent(run, volume) for run in runs]
+    pictures = Pictures()
+    measured: dict[Run, Record] = {}
+    with tempfile.TemporaryDirectory(prefix="volumebench-") as folder:
+        if present:
+            rows, reason = _execute(
+                study, volume, function, present, Path(folder), report
+            )
+            for run in present:
+                row = next((row for row in rows if _answers(row, run)), None)
+                measured[run] = _record(run, volume, row, reason)
+                _keep_picture(pictures, run, row, Path(folder))
+    return [measured.get(run) or _absent(run, volume) for run in runs], pictures
 
 
 def _is_present(run: Run, labels: list[str]) -> bool:
@@ -48,9 +65,13 @@ def _execute(
     volume: OpenVolume,
     function: TransferFunction,
     runs: list[Run],
+    folder: Path,
     report: Callable[[float], None],
-) -> dict[Run, Record]:
-    """Execute the filter once for all runs, so that it can measure them in turns."""
+) -> tuple[list[dict[str, Any]], str]:
+    """Execute the filter once for all runs, so that it can measure them in turns.
+
+    Return its rows, and what to tell of a run that is not among them.
+    """
     maker = getattr(servermanager.filters, FILTER_PROXY, None)
     if maker is None:
         raise BenchError(f"the plugin has no filter {FILTER_PROXY}")
@@ -58,6 +79,9 @@ def _execute(
     bench = maker(Input=producer)
     try:
         _set_properties(bench, study, volume, function, runs)
+        _set_factors(bench, runs)
+        # A view shows pictures of its own; the filter's are for studies without one.
+        bench.PictureFolder = str(folder) if study.paths == (ENGINE,) else ""
         inner = bench.GetClientSideObject()
         inner.AddObserver(
             "ProgressEvent", lambda *_: report(inner.GetProgress() * len(runs))
@@ -65,8 +89,7 @@ def _execute(
         with ErrorLog() as log:
             bench.UpdatePipeline()
         rows = _rows(inner.GetOutputDataObject(0))
-        reason = log.text() or "the filter returned no row for this run"
-        return {run: _record(run, volume, rows, reason) for run in runs}
+        return rows, log.text() or "the filter returned no row for this run"
     finally:
         del bench
         simple.Delete(producer)
@@ -81,12 +104,12 @@ def _set_properties(
 ) -> None:
     values = function.in_values(*volume.range)
     bench.Array = ["POINTS", volume.array]
-    bench.Techniques = _different(run.technique for run in runs)
-    bench.Integrators = _different(run.integrator for run in runs) or ["Midpoint"]
-    bench.StepVoxels = _different(run.step_voxels for run in runs) or [1.0]
     bench.ImageSize = list(runs[0].scene.image_size)
     bench.TerminationThreshold = study.termination_threshold
     bench.RaySetUp = study.ray_set_up
+    bench.BlendMode = runs[0].scene.blend_mode
+    bench.Shade = int(study.lighting)
+    bench.LightingDamping = study.lighting_damping
     bench.OpacityPoints = [number for point in values.opacity for number in point]
     bench.ColorPoints = [number for point in values.color for number in point]
     bench.ScalarOpacityUnitDistance = values.unit_distance(volume.spacing)
@@ -100,6 +123,18 @@ def _set_properties(
     bench.TimeLimit = study.timing.time_limit_s
     bench.ErrorViews = study.error.views
     bench.ReferenceStepVoxels = study.error.reference_step_voxels
+    bench.ErrorImageSize = list(study.error.image_size or (0, 0))
+
+
+def _set_factors(bench: Any, runs: list[Run]) -> None:
+    """Set what differs between the runs; the filter measures all combinations of it."""
+    bench.Techniques = _different(run.technique for run in runs)
+    bench.Integrators = _different(run.integrator for run in runs) or ["Midpoint"]
+    bench.StepVoxels = _different(run.step_voxels for run in runs) or [1.0]
+    bench.Variants = _different(
+        variant_text(run.technique, run.settings) if run.settings else None
+        for run in runs
+    )
 
 
 def _set_zoom(bench: Any, zoom: float) -> None:
@@ -132,14 +167,10 @@ def _plain(variant: Any) -> Any:
 
 
 def _record(
-    run: Run, volume: OpenVolume, rows: list[dict[str, Any]], reason: str
+    run: Run, volume: OpenVolume, row: dict[str, Any] | None, reason: str
 ) -> Record:
-    row = next((row for row in rows if _answers(row, run)), None)
-    if row is None:
-        return record_of(
-            run, volume.dims, volume.scalar_type, status=FAILED, reason=reason
-        )
-    return record_of(run, volume.dims, volume.scalar_type, **values_of_row(row))
+    values = values_of_row(row) if row else {"status": FAILED, "reason": reason}
+    return record_of(run, volume.dims, volume.scalar_type, **values)
 
 
 def _answers(row: dict[str, Any], run: Run) -> bool:
@@ -149,4 +180,22 @@ def _answers(row: dict[str, Any], run: Run) -> bool:
     if TECHNIQUES[run.technique].peer:
         return True
     same_step = math.isclose(row["step_voxels"], run.step_voxels, rel_tol=1e-6)
-    return same_step and row["integrator"] == run.integrator
+    same_settings = json.loads(row["settings"] or "{}") == dict(run.settings)
+    return same_step and same_settings and row["integrator"] == run.integrator
+
+
+def _keep_picture(
+    pictures: Pictures, run: Run, row: dict[str, Any] | None, folder: Path
+) -> None:
+    """Keep what the filter drew for the run, and the reference with the first of them."""
+    if not row or not row["picture"]:
+        return
+    shape = (int(row["error.image_size.h"]), int(row["error.image_size.w"]), 4)
+    pictures.keep(run, _read_picture(folder / row["picture"], shape))
+    if not pictures.references:
+        pictures.references = [_read_picture(folder / REFERENCE_FILE, shape)]
+        pictures.label = row["error.reference"]
+
+
+def _read_picture(path: Path, shape: tuple[int, int, int]) -> np.ndarray:
+    return np.fromfile(path, "<f4").reshape(shape)[::-1].copy()

@@ -10,6 +10,8 @@ from paraview import servermanager, simple
 from .errors import BenchError
 from .orbit import Bounds, CameraPose
 from .session_support import ErrorLog, producer_of
+from .study import COMPOSITE, Scene, Study
+from .technique_settings import TECHNIQUE_SETTINGS
 from .techniques import TECHNIQUES
 from .transfer_functions import TransferFunction
 from .view_measure import Sampling, Unsupported
@@ -25,15 +27,15 @@ class ViewStage:
         self,
         volume: OpenVolume,
         function: TransferFunction,
-        size: tuple[int, int],
-        ray_set_up: str,
+        scene: Scene,
+        study: Study,
     ) -> None:
         self.bounds: Bounds = volume.bounds
         self._volume = volume
         self._function = function.in_values(*volume.range)
-        self._size = size
-        self._ray_set_up = ray_set_up
-        self._view = _plain_view(size)
+        self._scene = scene
+        self._study = study
+        self._view = _plain_view(scene.image_size)
         self._producers: dict[str, Any] = {}
         self._displays: dict[str, Any] = {}
         self._folder = tempfile.TemporaryDirectory(prefix="volumebench-")
@@ -66,7 +68,9 @@ class ViewStage:
             display.Integrator = sampling.integrator
             display.StepVoxels = sampling.step_voxels
             display.TerminationThreshold = sampling.termination_threshold
-            display.RaySetUp = self._ray_set_up
+            display.RaySetUp = self._study.ray_set_up
+            for name, value in sampling.settings:
+                _set(display, TECHNIQUE_SETTINGS[name].property, value)
 
     def render(self, pose: CameraPose, interactive: bool) -> None:
         """Set the camera and render one frame to its end."""
@@ -104,9 +108,9 @@ class ViewStage:
             )
         return values.reshape(height, width, 4)[::-1].copy()
 
-    def resize(self, reduction: int) -> None:
-        """Render from now on at the picture size divided by a whole number."""
-        _set_size(self._view, [max(side // reduction, 1) for side in self._size])
+    def resize(self, size: tuple[int, int]) -> None:
+        """Render pictures of this size from now on."""
+        _set_size(self._view, list(size))
 
     def _make_capture(self) -> Any:
         maker = getattr(servermanager.misc, CAPTURE_PROXY, None)
@@ -118,23 +122,44 @@ class ViewStage:
 
     def _make_display(self, technique: str) -> Any:
         """Show the volume once more, with the representation of the technique."""
-        label = TECHNIQUES[technique].representation
         producer = producer_of(self._volume)
         display = simple.Show(producer, self._view, "UniformGridRepresentation")
-        if label not in display.GetProperty("Representation").Available:
+        try:
+            self._set_up(display, technique)
+        except Unsupported:
             simple.Delete(display)
             simple.Delete(producer)
-            raise Unsupported(f'no representation "{label}" in this build')
+            raise
         self._producers[technique] = producer
+        return display
+
+    def _set_up(self, display: Any, technique: str) -> None:
+        label = TECHNIQUES[technique].representation
+        if label not in display.GetProperty("Representation").Available:
+            raise Unsupported(f'no representation "{label}" in this build')
         display.SetRepresentationType(label)
         simple.ColorBy(display, ("POINTS", self._volume.array))
         display.SetScalarBarVisibility(self._view, False)
-        display.Shade = 0
+        display.Shade = int(self._study.lighting)
         display.ScalarOpacityUnitDistance = self._function.unit_distance(
             self._volume.spacing
         )
         self._set_functions(display)
-        return display
+        self._set_scene(display, technique)
+
+    def _set_scene(self, display: Any, technique: str) -> None:
+        """Set blend mode and damping, which a build or a peer may lack."""
+        blend_mode, damping = self._scene.blend_mode, self._study.lighting_damping
+        if not TECHNIQUES[technique].peer:
+            if blend_mode != COMPOSITE or display.GetProperty("TechniqueBlendMode"):
+                _set(display, "TechniqueBlendMode", blend_mode)
+            if damping or display.GetProperty("LightingDamping"):
+                _set(display, "LightingDamping", damping)
+        elif blend_mode not in display.GetProperty("BlendMode").Available:
+            title = TECHNIQUES[technique].title
+            raise Unsupported(f"{title} offers no blend mode {blend_mode}")
+        else:
+            display.BlendMode = blend_mode
 
     def _set_functions(self, display: Any) -> None:
         """Give the shared colour map and opacity function of the array their points."""
@@ -149,6 +174,12 @@ class ViewStage:
         ]
         display.LookupTable = colors
         display.ScalarOpacityFunction = opacity
+
+
+def _set(display: Any, name: str, value: Any) -> None:
+    if display.GetProperty(name) is None:
+        raise Unsupported(f"the representation has no property {name} in this build")
+    setattr(display, name, value)
 
 
 def _plain_view(size: tuple[int, int]) -> Any:

@@ -1,25 +1,32 @@
-"""A study: factors and settings read from JSON, expanded into an ordered list of runs."""
+"""A study: factors and settings, expanded into an ordered list of runs."""
 
 from dataclasses import asdict, dataclass, field, replace
+from itertools import product
 from pathlib import Path
 from typing import Any
 
 from .errors import StudyError
-from .json_file import check_schema, read_json
+from .technique_settings import Settings
 from .techniques import INTERACTIVE, PATHS, VIEW, find_technique
 
-STUDY_FOLDER = Path(__file__).resolve().parent.parent / "Studies"
-GENERATED_DATASETS = ("lemniscate",)
+COMPOSITE = "Composite"
+BLEND_MODES = (COMPOSITE, "Maximum", "Minimum", "Average", "Gradient")
 
 
 @dataclass(frozen=True)
 class Dataset:
-    """A volume by name; the other values apply to generated volumes only."""
+    """A volume by name; dims, type and extent apply to generated volumes only.
+
+    Where no file of that name is found, the generated volume `otherwise` takes its place and
+    says in `stands_for` whose place that is.
+    """
 
     name: str
     dims: tuple[int, int, int] | None = None
     scalar_type: str | None = None
     extent: float | None = None
+    otherwise: str | None = None
+    stands_for: str | None = None
 
 
 @dataclass(frozen=True)
@@ -44,29 +51,53 @@ class Timing:
 
 @dataclass(frozen=True)
 class ErrorSettings:
-    """At how many views of the orbit the error is measured (0: nowhere) and against what."""
+    """At how many views of the orbit the error is measured (0: nowhere) and against what.
+
+    The pictures are as large as the timed ones, or of a size of their own.
+    """
 
     views: int = 2
     reference_step_voxels: float = 0.03125
+    image_size: tuple[int, int] | None = None
 
 
 @dataclass(frozen=True)
 class Scene:
-    """What is looked at: one volume through one transfer function at one picture size."""
+    """What is looked at: a volume through a transfer function, blended, at a picture size."""
 
     dataset: str
     transfer_function: str
     image_size: tuple[int, int]
+    blend_mode: str = COMPOSITE
 
     def title(self) -> str:
         """Return the name for readers."""
         width, height = self.image_size
-        return f"{self.dataset}, {self.transfer_function}, {width} x {height}"
+        blending = "" if self.blend_mode == COMPOSITE else f", {self.blend_mode}"
+        return f"{self.dataset}, {self.transfer_function}, {width} x {height}{blending}"
 
     def file_stem(self) -> str:
         """Return the name for files."""
         width, height = self.image_size
-        return f"{self.dataset}-{self.transfer_function}-{width}x{height}"
+        blending = "" if self.blend_mode == COMPOSITE else f"-{self.blend_mode.lower()}"
+        return f"{self.dataset}-{self.transfer_function}-{width}x{height}{blending}"
+
+
+@dataclass(frozen=True)
+class ScenePattern:
+    """Picks the scenes that have all the given values."""
+
+    dataset: str | None = None
+    transfer_function: str | None = None
+    image_size: tuple[int, int] | None = None
+    blend_mode: str | None = None
+
+    def matches(self, scene: Scene) -> bool:
+        """Tell whether the scene is one of those."""
+        return all(
+            value is None or getattr(scene, name) == value
+            for name, value in vars(self).items()
+        )
 
 
 @dataclass(frozen=True)
@@ -80,16 +111,13 @@ class Run:
     step_voxels: float | None
     view: str
     path: str
+    settings: Settings = ()
 
     def key(self) -> tuple[Any, ...]:
         """Return what tells two rows of one results file apart."""
-        scene = (
-            self.scene.dataset,
-            self.scene.transfer_function,
-            self.scene.image_size,
-        )
         sampling = (self.technique, self.integrator, self.step_voxels)
-        return (self.study, *scene, *sampling, self.view, self.path)
+        settings = tuple(sorted(self.settings))
+        return (self.study, self.scene, *sampling, settings, self.view, self.path)
 
 
 @dataclass(frozen=True)
@@ -101,35 +129,47 @@ class Study:
     transfer_functions: dict[str, tuple[str, ...]]
     techniques: tuple[str, ...]
     description: str = ""
+    notes: tuple[str, ...] = ()
     integrators: tuple[str, ...] = ("Midpoint",)
     step_voxels: tuple[float, ...] = (1.0,)
     image_sizes: tuple[tuple[int, int], ...] = ((500, 500),)
+    blend_modes: tuple[str, ...] = (COMPOSITE,)
+    technique_settings: dict[str, dict[str, tuple[Any, ...]]] = field(
+        default_factory=dict
+    )
+    technique_settings_scenes: tuple[ScenePattern, ...] = ()
     paths: tuple[str, ...] = PATHS
     camera: Camera = field(default_factory=Camera)
     timing: Timing = field(default_factory=Timing)
     error: ErrorSettings = field(default_factory=ErrorSettings)
     termination_threshold: float = 0.001
     ray_set_up: str = "Box"
+    lighting: bool = False
+    lighting_damping: float = 0.0
     folder: Path | None = None
+    shortened: "Study | None" = None
 
     def scenes(self) -> list[Scene]:
         """Return the scenes in study order."""
         return [
-            Scene(dataset.name, name, size)
+            Scene(dataset.name, name, size, blend_mode)
             for dataset in self.datasets
             for name in self.transfer_functions[dataset.name]
             for size in self.image_sizes
+            for blend_mode in self.blend_modes
         ]
 
     def runs(self) -> list[Run]:
         """Return the full factorial; a peer appears once a scene and path."""
+        view = self.camera.path
         return [
-            Run(self.name, scene, technique, integrator, step, self.camera.path, path)
+            Run(self.name, scene, technique, integrator, step, view, path, settings)
             for scene in self.scenes()
             for path in self.paths
             for technique in self.techniques
             if path in find_technique(technique, self.name).paths
             for integrator, step in self._samplings(technique)
+            for settings in self._settings(technique, scene)
         ]
 
     def _samplings(self, technique: str) -> list[tuple[str | None, float | None]]:
@@ -137,9 +177,21 @@ class Study:
             return [(None, None)]
         return [(name, step) for name in self.integrators for step in self.step_voxels]
 
+    def _settings(self, technique: str, scene: Scene) -> list[Settings]:
+        """Return all combinations, or the first alone where the settings do not vary."""
+        given = self.technique_settings.get(technique, {})
+        patterns = self.technique_settings_scenes
+        varied = not patterns or any(item.matches(scene) for item in patterns)
+        values = given.values() if varied else [item[:1] for item in given.values()]
+        return [tuple(zip(given, combination)) for combination in product(*values)]
+
     def dataset(self, name: str) -> Dataset:
         """Return the dataset of that name."""
         return next(dataset for dataset in self.datasets if dataset.name == name)
+
+    def error_size(self, scene: Scene) -> tuple[int, int]:
+        """Return the size of the pictures that errors are measured on."""
+        return self.error.image_size or scene.image_size
 
     def settings(self) -> dict[str, Any]:
         """Return what all rows of one results file must share, as plain JSON values."""
@@ -148,19 +200,26 @@ class Study:
             "datasets": {item.name: _plain(asdict(item)) for item in self.datasets},
             "camera": asdict(self.camera),
             "timing": asdict(self.timing),
-            "error": asdict(self.error),
+            "error": _plain(asdict(self.error)),
             "termination_threshold": self.termination_threshold,
             "ray_set_up": self.ray_set_up,
+            "lighting": self.lighting,
+            "lighting_damping": self.lighting_damping,
         }
 
     def only(self, techniques: list[str]) -> "Study":
         """Return the study with these techniques in place of its own."""
         for technique in techniques:
             find_technique(technique, "--techniques")
-        return _with_runs(replace(self, techniques=tuple(dict.fromkeys(techniques))))
+        chosen = tuple(dict.fromkeys(techniques))
+        shortened = self.shortened and replace(self.shortened, techniques=chosen)
+        return with_runs(replace(self, techniques=chosen, shortened=shortened))
 
     def quick(self) -> "Study":
-        """Return the study cut to the extremes of each factor, with short timing."""
+        """Return what the study itself calls quick, or else its extremes with short timing."""
+        return self.shortened or self._extremes()
+
+    def _extremes(self) -> "Study":
         timing = self.timing
         names = self.transfer_functions
         return replace(
@@ -176,6 +235,23 @@ class Study:
                 time_limit_s=min(timing.time_limit_s, 1.0),
             ),
             error=replace(self.error, views=min(self.error.views, 1)),
+        )
+
+    def with_datasets(self, datasets: dict[str, Dataset]) -> "Study":
+        """Return the study with other datasets in place of those of the given names."""
+
+        def named(name: str | None) -> str | None:
+            return datasets[name].name if name in datasets else name
+
+        functions = self.transfer_functions
+        return replace(
+            self,
+            datasets=tuple(datasets.get(item.name, item) for item in self.datasets),
+            transfer_functions={named(key): item for key, item in functions.items()},
+            technique_settings_scenes=tuple(
+                replace(item, dataset=named(item.dataset))
+                for item in self.technique_settings_scenes
+            ),
         )
 
 
@@ -195,100 +271,8 @@ def _extremes(items: tuple[Any, ...], order: Any) -> tuple[Any, ...]:
     return tuple(item for item in items if item in (lowest, highest))
 
 
-def find_study(text: str) -> Path:
-    """Return the study file: a path, or the name of one under Python/Studies."""
-    candidates = [Path(text), STUDY_FOLDER / text, STUDY_FOLDER / f"{text}.json"]
-    for candidate in candidates:
-        if candidate.is_file():
-            return candidate
-    known = ", ".join(sorted(path.stem for path in STUDY_FOLDER.glob("*.json")))
-    raise StudyError(
-        f'study "{text}" is neither a file nor a name under Python/Studies; names: {known}'
-    )
-
-
-def load_study(path: Path) -> Study:
-    """Read, validate and return a study."""
-    document = read_json(path)
-    check_schema(document, "study_schema.json", path)
-    return study_from(document, path)
-
-
-def study_from(document: dict[str, Any], path: Path) -> Study:
-    """Build the study of an already validated document; `path` is named in errors."""
-    for technique in document["techniques"]:
-        find_technique(technique, f'{path}: "techniques"')
-    datasets = tuple(_dataset(item, path) for item in document["datasets"])
-    values = {
-        "name": document["name"],
-        "datasets": datasets,
-        "transfer_functions": _transfer_functions(document, datasets, path),
-        "techniques": tuple(document["techniques"]),
-        "folder": path.resolve().parent,
-    }
-    for key in ("description", "termination_threshold", "ray_set_up"):
-        if key in document:
-            values[key] = document[key]
-    for key in ("integrators", "paths"):
-        if key in document:
-            values[key] = tuple(document[key])
-    if "step_voxels" in document:
-        values["step_voxels"] = tuple(float(step) for step in document["step_voxels"])
-    if "image_sizes" in document:
-        values["image_sizes"] = tuple(tuple(size) for size in document["image_sizes"])
-    groups = {"camera": Camera, "timing": Timing, "error": ErrorSettings}
-    for key, group in groups.items():
-        values[key] = group(**document.get(key, {}))
-    _check_views(values["error"], values["camera"], path)
-    return _with_runs(Study(**values), path)
-
-
-def _check_views(error: ErrorSettings, camera: Camera, path: Path) -> None:
-    if error.views > camera.frames:
-        raise StudyError(
-            f'{path}: "error.views": {error.views} views do not fit an orbit of '
-            f'{camera.frames} frames ("camera.frames")'
-        )
-
-
-def _dataset(item: dict[str, Any], path: Path) -> Dataset:
-    values = dict(item)
-    extra = [key for key in values if key != "name"]
-    if extra and values["name"] not in GENERATED_DATASETS:
-        generated = ", ".join(GENERATED_DATASETS)
-        raise StudyError(
-            f'{path}: "datasets": "{extra[0]}" of dataset "{values["name"]}" applies only to '
-            f"generated volumes: {generated}"
-        )
-    if "dims" in values:
-        values["dims"] = tuple(values["dims"])
-    return Dataset(**values)
-
-
-def _transfer_functions(
-    document: dict[str, Any], datasets: tuple[Dataset, ...], path: Path
-) -> dict[str, tuple[str, ...]]:
-    names = [dataset.name for dataset in datasets]
-    for name in names:
-        if names.count(name) > 1:
-            raise StudyError(f'{path}: "datasets": "{name}" is listed twice')
-    given = document["transfer_functions"]
-    if isinstance(given, list):
-        return {name: tuple(given) for name in names}
-    for name in given:
-        if name not in names:
-            raise StudyError(
-                f'{path}: "transfer_functions": "{name}" is not a dataset of this study'
-            )
-    for name in names:
-        if name not in given:
-            raise StudyError(
-                f'{path}: "transfer_functions": nothing is given for dataset "{name}"'
-            )
-    return {name: tuple(given[name]) for name in names}
-
-
-def _with_runs(study: Study, path: Path | None = None) -> Study:
+def with_runs(study: Study, path: Path | None = None) -> Study:
+    """Return the study if it has runs; it is an error if not."""
     if not study.runs():
         raise StudyError(
             f'{path or study.name}: no run is left: techniques {", ".join(study.techniques)} do '

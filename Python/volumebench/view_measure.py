@@ -17,6 +17,7 @@ from .orbit import Bounds, CameraPose, block_frames, error_frame, orbit_pose
 from .results import FAILED, OK, UNSUPPORTED, times
 from .study import Run, Study
 from .summary import STANDARD_STEP_VOXELS
+from .technique_settings import Settings
 from .techniques import INTERACTIVE, REFERENCE_TECHNIQUE
 
 BLOCK_FRAMES = 4
@@ -38,6 +39,7 @@ class Sampling:
     integrator: str | None
     step_voxels: float | None
     termination_threshold: float
+    settings: Settings = ()
 
 
 class Stage(Protocol):
@@ -57,7 +59,7 @@ class Stage(Protocol):
     def can_capture(self) -> bool:
         ...
 
-    def resize(self, reduction: int) -> None:
+    def resize(self, size: tuple[int, int]) -> None:
         ...
 
     def take_errors(self) -> str | None:
@@ -128,7 +130,11 @@ def measure_view(
             _guarded(stage, contestant, study, _run_block)
             report(sum(_share(item, study) for item in contestants))
         turn += 1
-    pictures = _reference_pictures(stage, study)
+    scene = runs[0].scene
+    size = study.error_size(scene)
+    if size != scene.image_size:
+        stage.resize(size)
+    pictures = _reference_pictures(stage, study, size)
     for done, contestant in enumerate(contestants):
         if contestant.status == OK and stage.can_capture():
             take = lambda *given: _take_error(*given, pictures)
@@ -161,7 +167,11 @@ def _guarded(
 def sampling_of(run: Run, study: Study) -> Sampling:
     """Return what is to be set for a run."""
     return Sampling(
-        run.technique, run.integrator, run.step_voxels, study.termination_threshold
+        run.technique,
+        run.integrator,
+        run.step_voxels,
+        study.termination_threshold,
+        run.settings,
     )
 
 
@@ -195,7 +205,7 @@ def _settle(
             break
 
 
-def _reference_pictures(stage: Stage, study: Study) -> Pictures:
+def _reference_pictures(stage: Stage, study: Study, size: tuple[int, int]) -> Pictures:
     """Render the references; what goes wrong leaves the errors absent, with a note."""
     pictures = Pictures()
     if not stage.can_capture():
@@ -204,7 +214,7 @@ def _reference_pictures(stage: Stage, study: Study) -> Pictures:
         )
     elif study.error.views:
         try:
-            _render_references(stage, study, pictures)
+            _render_references(stage, study, size, pictures)
             pictures.note = stage.take_errors()
         except Exception as fault:  # a proxy may raise anything; times remain
             pictures.note = f"no reference: {fault}"
@@ -212,14 +222,16 @@ def _reference_pictures(stage: Stage, study: Study) -> Pictures:
     return pictures
 
 
-def _render_references(stage: Stage, study: Study, pictures: Pictures) -> None:
+def _render_references(
+    stage: Stage, study: Study, size: tuple[int, int], pictures: Pictures
+) -> None:
     views, step = study.error.views, study.error.reference_step_voxels
-    stage.resize(CHECK_REDUCTION)
+    stage.resize(tuple(max(side // CHECK_REDUCTION, 1) for side in size))
     try:
         coarse = _reference(stage, study, 0, step)
         fine = _reference(stage, study, 0, step / 2)
     finally:
-        stage.resize(1)
+        stage.resize(size)
     pictures.uncertainty = compare([(coarse, fine)]).rmse
     pictures.references = [
         _reference(stage, study, view, step) for view in range(views)

@@ -60,6 +60,6 @@ def study_file(write_json, document):
 
 @pytest.fixture
 def study(study_file):
-    from volumebench.study import load_study
+    from volumebench.study_file import load_study
 
     return load_study(study_file)

@@ -6,7 +6,10 @@ import numpy as np
 from volumebench.errors import BenchError
 from volumebench.results import Context, record_of
 from volumebench.statistics import spread
-from volumebench.view_measure import Sampling, Unsupported, measure_view
+from volumebench.view_measure import Pictures, Sampling, Unsupported, measure_view
+
+
+PICTURE_WIDTH = 40  # of the small study
 
 
 class FakeStage:
@@ -54,8 +57,8 @@ class FakeStage:
     def can_capture(self) -> bool:
         return self.captures
 
-    def resize(self, reduction: int) -> None:
-        self.side = 16 // reduction
+    def resize(self, size: tuple[int, int]) -> None:
+        self.side = 16 * size[0] // PICTURE_WIDTH
 
     def take_errors(self) -> str | None:
         complaint, self.complaint = self.complaint, None
@@ -90,7 +93,7 @@ class FakeSession:
         self.measured += runs
         if self.engine_fault:
             raise RuntimeError(self.engine_fault)
-        return [self._record(volume, run) for run in runs]
+        return [self._record(volume, run) for run in runs], Pictures()
 
     def run_view(self, volume, function, runs, report):
         self.measured += runs

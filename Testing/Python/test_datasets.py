@@ -3,13 +3,14 @@
 import numpy as np
 import pytest
 from volumebench import datasets
-from volumebench.datasets import find_volume
+from volumebench.datasets import find_volume, with_stand_ins
 from volumebench.errors import BenchError, StudyError
-from volumebench.generators import Lemniscate, write_volume
+from volumebench.generators import Ball, Lemniscate, write_volume
 from volumebench.study import Dataset
+from volumebench.study_file import load_study
 
 
-def voxels(generator: Lemniscate) -> np.ndarray:
+def voxels(generator: Lemniscate | Ball) -> np.ndarray:
     return np.stack(list(generator.slices()))
 
 
@@ -47,6 +48,52 @@ def test_scalar_types_use_their_range(scalar_type, top):
     volume = voxels(Lemniscate((9, 9, 69), scalar_type))
     assert volume.dtype == np.dtype(scalar_type)
     assert volume.max() == pytest.approx(top, rel=1e-6)
+
+
+def test_ball_is_a_hollow_wall():
+    """Radius 0.62 of half the box: index 31 + 0.62 * 31 = 50.2 of 63."""
+    volume = voxels(Ball((63, 63, 63), "float32"))
+    ray = volume[31, 31, 31:]
+    assert int(np.argmax(ray)) == 19
+    assert ray[19] == pytest.approx(1, abs=3e-3)
+    assert ray[0] < 0.01, "hollow"
+    assert ray[31] == volume[0, 0, 0] == 0, "nothing at the faces and beyond"
+    assert volume == pytest.approx(volume.transpose(2, 0, 1), abs=1e-6)
+
+
+def test_ball_is_small_bytes_by_default(tmp_path):
+    file = find_volume(Dataset("ball"), None, tmp_path)
+    assert "DimSize = 32 32 32" in file.path.read_text()
+    assert file.path.with_suffix(".raw").stat().st_size == 32**3
+    volume = voxels(Ball())
+    assert volume.dtype == np.uint8 and volume.max() > 250
+
+
+@pytest.fixture
+def with_fallback(write_json, document):
+    document["datasets"] = [{"name": "bucky", "otherwise": "ball", "dims": [9, 9, 9]}]
+    document["transfer_functions"] = {"bucky": ["ramp"]}
+    document["techniques"] = ["slices-threaded"]
+    document["technique_settings"] = {"slices-threaded": {"slice_threads": [1, 2]}}
+    document["technique_settings_scenes"] = [{"dataset": "bucky"}]
+    return load_study(write_json(document))
+
+
+def test_a_missing_volume_has_a_named_stand_in(with_fallback, tmp_path):
+    study = with_stand_ins(with_fallback, tmp_path / "nothing")
+    (dataset,) = study.datasets
+    assert (dataset.name, dataset.stands_for) == ("ball", "bucky")
+    assert {run.scene.dataset for run in study.runs()} == {"ball"}
+    assert len(study.runs()) == len(with_fallback.runs())
+    file = find_volume(dataset, None, tmp_path)
+    assert file.name == "ball" and "9 9 9" in file.path.read_text()
+
+
+def test_a_volume_that_is_there_needs_no_stand_in(with_fallback, tmp_path):
+    (tmp_path / "bucky.mhd").write_text("x")
+    study = with_stand_ins(with_fallback, tmp_path)
+    assert study == with_fallback
+    assert find_volume(study.datasets[0], tmp_path, tmp_path).name == "bucky"
 
 
 def test_written_volume_holds_the_slices_in_order(tmp_path):

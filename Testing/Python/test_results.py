@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import pytest
 from fakes import FakeSession
+from volumebench.error import ImageError
 from volumebench.errors import BenchError
 from volumebench.json_file import make_writable_folder, write_atomically
 from volumebench.results import (
@@ -24,8 +25,25 @@ from volumebench.results import (
 RUN_KEYS = [
     *("study", "dataset", "dims", "scalar_type", "transfer_function", "technique"),
     *("integrator", "blend_mode", "step_voxels", "image_size", "view", "path"),
-    *("features", "left_out", "status", "reason", "frames", "frame_ms", "gpu_ms"),
-    *("fps", "setup_ms", "samples_taken", "samples_skipped", "rays_terminated"),
+    *(
+        "settings",
+        "stand_in_for",
+        "features",
+        "left_out",
+        "status",
+        "reason",
+        "frames",
+        "frame_ms",
+        "gpu_ms",
+    ),
+    *(
+        "fps",
+        "setup_ms",
+        "stages_ms",
+        "samples_taken",
+        "samples_skipped",
+        "rays_terminated",
+    ),
     *("bytes_on_device", "error"),
 ]
 
@@ -34,7 +52,7 @@ RUN_KEYS = [
 def records(study):
     session = FakeSession(study)
     volume = session.open_volume(None)
-    return session.run_engine(volume, None, study.runs()[:3], None)
+    return session.run_engine(volume, None, study.runs()[:3], None)[0]
 
 
 def test_keys_of_the_contract_in_order(tmp_path, records):
@@ -47,7 +65,8 @@ def test_keys_of_the_contract_in_order(tmp_path, records):
     assert list(row["gpu_ms"]) == list(row["frame_ms"])
     assert list(row["setup_ms"]) == ["upload", "tables", "grid", "compile"]
     assert list(row["error"]) == [
-        *("rmse", "linf", "p999", "psnr", "reference", "reference_uncertainty")
+        *("rmse", "linf", "p999", "psnr", "reference", "reference_uncertainty"),
+        "image_size",
     ]
     assert row["image_size"] == [40, 30] and row["dims"] == [8, 8, 16]
 
@@ -63,6 +82,44 @@ def test_read_gives_back_what_was_written(tmp_path, records):
     context = Context(date="now", cores=2)
     write_results(tmp_path, context, records)
     assert read_results(tmp_path / "results.json") == (context, records)
+
+
+def test_settings_and_stages_are_kept(tmp_path, study):
+    run = replace(study.runs()[0], settings=(("slice_threads", 4),))
+    stages = {"drawing": 12.5, "upload": None}
+    error = ImageError(rmse=0.1, image_size=(20, 10))
+    record = record_of(run, None, None, stages_ms=stages, error=error)
+    write_results(tmp_path, Context(), [record])
+    row = json.loads((tmp_path / "results.json").read_text())["runs"][0]
+    assert row["settings"] == {"slice_threads": 4} and row["stages_ms"] == stages
+    assert row["error"]["image_size"] == [20, 10]
+    (again,) = read_results(tmp_path / "results.json")[1]
+    assert again == record and again.run() == run
+    (cells,) = csv.DictReader((tmp_path / "results.csv").read_text().splitlines())
+    assert json.loads(cells["settings"]) == {"slice_threads": 4}
+    assert json.loads(cells["stages_ms"]) == stages
+    assert cells["error.image_size.w"] == "20"
+
+
+def test_settings_and_blend_mode_tell_rows_apart(study):
+    run = study.runs()[0]
+    blended = replace(run, scene=replace(run.scene, blend_mode="Maximum"))
+    varied = [replace(run, settings=(("slice_threads", n),)) for n in (1, 2)]
+    records = [record_of(item, None, None) for item in (run, blended, *varied)]
+    assert len({record.run().key() for record in records}) == 4
+    assert records[1].blend_mode == "Maximum"
+
+
+def test_rows_from_before_stages_and_settings_can_be_read(tmp_path, records):
+    write_results(tmp_path, Context(), records)
+    path = tmp_path / "results.json"
+    document = json.loads(path.read_text())
+    for row in document["runs"]:
+        for key in ("settings", "stand_in_for", "stages_ms"):
+            del row[key]
+        del row["error"]["image_size"]
+    path.write_text(json.dumps(document))
+    assert read_results(path)[1] == records
 
 
 def test_record_knows_its_run(study, records):
@@ -96,6 +153,10 @@ def test_table_row_of_the_filter():
         "fps": 40.0,
         "setup_ms.upload": 3.5,
         "samples_taken": 1e6,
+        "rays_terminated": 0.0,
+        "stages_ms": '{"box faces": 0.5, "march": null}',
+        "error.image_size.w": 20.0,
+        "error.image_size.h": 10.0,
         "error.psnr": math.inf,
         "error.rmse": 0.0,
     }
@@ -106,12 +167,16 @@ def test_table_row_of_the_filter():
     assert values["setup_ms"].upload == 3.5 and values["setup_ms"].grid is None
     assert values["samples_taken"] == 1000000
     assert isinstance(values["samples_taken"], int)
-    assert values["samples_skipped"] is None
+    assert values["samples_skipped"] is None and values["rays_terminated"] == 0
+    assert values["stages_ms"] == {"box faces": 0.5, "march": None}
+    assert values["error"].image_size == (20, 10)
     assert values["error"].psnr is None and values["error"].rmse == 0
 
 
 def test_a_row_without_status_counts_as_failed():
-    assert values_of_row({"technique": "single-pass"})["status"] == "failed"
+    values = values_of_row({"technique": "single-pass", "stages_ms": ""})
+    assert values["status"] == "failed"
+    assert values["stages_ms"] is None and values["error"].image_size is None
 
 
 def test_atomic_write_leaves_the_old_file_when_it_fails(tmp_path, records):

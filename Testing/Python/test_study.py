@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 from volumebench.errors import StudyError
-from volumebench.study import STUDY_FOLDER, find_study, load_study
+from volumebench.study_file import STUDY_FOLDER, find_study, load_study
 from volumebench.techniques import techniques_of_plugin
 
 
@@ -52,6 +52,100 @@ def test_defaults(study):
     assert study.error.reference_step_voxels == 0.03125
     assert study.termination_threshold == 0.001
     assert study.ray_set_up == "Box"
+
+
+def test_blend_modes_are_scenes_of_their_own(write_json, document):
+    document["blend_modes"] = ["Composite", "Maximum"]
+    study = load_study(write_json(document))
+    assert len(study.runs()) == len({run.key() for run in study.runs()}) == 42
+    titles = [scene.title() for scene in study.scenes()]
+    assert titles == ["lemniscate, ramp, 40 x 30", "lemniscate, ramp, 40 x 30, Maximum"]
+    stems = [scene.file_stem() for scene in study.scenes()]
+    assert stems == ["lemniscate-ramp-40x30", "lemniscate-ramp-40x30-maximum"]
+
+
+@pytest.fixture
+def varied(document):
+    document |= {
+        "techniques": ["slices", "slices-threaded"],
+        "technique_settings": {
+            "slices-threaded": {
+                "slice_threads": [4, 1],
+                "slice_target": ["RGBA32F", "RGBA8"],
+            }
+        },
+        "step_voxels": [1],
+        "integrators": ["Midpoint"],
+        "paths": ["engine"],
+    }
+    return document
+
+
+def settings_by_scene(study):
+    found: dict = {}
+    for run in study.runs():
+        if run.technique == "slices-threaded":
+            found.setdefault(run.scene.image_size, []).append(dict(run.settings))
+        else:
+            assert run.settings == ()
+    return found
+
+
+def test_technique_settings_are_a_factor_of_their_technique(write_json, varied):
+    study = load_study(write_json(varied))
+    assert settings_by_scene(study)[40, 30] == [
+        {"slice_threads": 4, "slice_target": "RGBA32F"},
+        {"slice_threads": 4, "slice_target": "RGBA8"},
+        {"slice_threads": 1, "slice_target": "RGBA32F"},
+        {"slice_threads": 1, "slice_target": "RGBA8"},
+    ]
+    assert len({run.key() for run in study.runs()}) == len(study.runs()) == 5
+
+
+def test_technique_settings_vary_in_the_named_scenes_only(write_json, varied):
+    varied["image_sizes"] = [[40, 30], [80, 60]]
+    varied["technique_settings_scenes"] = [{"image_size": [80, 60]}]
+    found = settings_by_scene(load_study(write_json(varied)))
+    assert found[40, 30] == [{"slice_threads": 4, "slice_target": "RGBA32F"}]
+    assert len(found[80, 60]) == 4
+
+
+def test_quick_is_what_the_study_says(write_json, varied):
+    varied["image_sizes"] = [[40, 30], [50, 40], [80, 60]]
+    varied["technique_settings_scenes"] = [{"image_size": [80, 60]}]
+    varied["timing"] = {"minimum_frames": 50, "time_limit_s": 60}
+    varied["quick"] = {"step_voxels": [2], "timing": {"time_limit_s": 1}}
+    study = load_study(write_json(varied))
+    quick = study.quick()
+    assert quick.image_sizes == study.image_sizes
+    assert (study.step_voxels, quick.step_voxels) == ((1,), (2,))
+    assert (quick.timing.minimum_frames, quick.timing.time_limit_s) == (50, 1)
+    assert study.only(["slices"]).quick().techniques == ("slices",)
+
+
+def test_quick_picks_datasets_by_name(write_json, document):
+    document["datasets"] = [{"name": "mri"}, {"name": "lemniscate"}]
+    document["transfer_functions"] = {"mri": ["a"], "lemniscate": ["b"]}
+    document["quick"] = {"datasets": ["lemniscate"]}
+    scenes = load_study(write_json(document)).quick().scenes()
+    assert [scene.dataset for scene in scenes] == ["lemniscate"]
+
+
+def test_the_opengl_study_keeps_all_its_scenes_when_quick():
+    study = load_study(find_study("opengl"))
+    assert study.quick().scenes() == study.scenes()
+    assert len(study.scenes()) == 12
+    assert study.quick().timing.time_limit_s < study.timing.time_limit_s
+
+
+def test_lighting_notes_and_error_size(write_json, document):
+    document |= {"lighting": True, "lighting_damping": 0.1, "notes": ["Slow here."]}
+    document["error"] = {"image_size": [20, 10]}
+    study = load_study(write_json(document))
+    assert (study.lighting, study.lighting_damping) == (True, 0.1)
+    assert study.notes == ("Slow here.",)
+    assert study.error_size(study.scenes()[0]) == (20, 10)
+    assert json.loads(json.dumps(study.settings())) == study.settings()
 
 
 def test_transfer_functions_per_dataset(write_json, document):
@@ -125,6 +219,13 @@ def changed(key, value):
     return lambda document: document.update({key: value})
 
 
+def settings_of(technique, **settings):
+    return changed("technique_settings", {technique: settings})
+
+
+BALL = {"name": "ball"}
+
+
 @pytest.mark.parametrize(
     "change, key, value",
     [
@@ -182,6 +283,37 @@ def changed(key, value):
         ),
         (changed("termination_threshold", 1), "termination_threshold", "1"),
         (changed("ray_set_up", "Sphere"), "ray_set_up", "Rasterised"),
+        (changed("blend_modes", ["Sum"]), "blend_modes[0]", "Sum"),
+        (changed("lighting", "on"), "lighting", "on"),
+        (changed("lighting_damping", 2), "lighting_damping", "2"),
+        (changed("error", {"image_size": [0, 5]}), "error.image_size[0]", "0"),
+        (changed("quick", {"techniques": ["slices"]}), "quick", "techniques"),
+        (changed("quick", {"datasets": ["mri"]}), "quick.datasets", "mri"),
+        (changed("quick", {"timing": {"speed": 1}}), "quick.timing", "speed"),
+        (settings_of("slices", slice_threads=[1]), "slices", "slice_extent"),
+        (settings_of("single-pass", slice_threads=[1]), "single-pass", "none"),
+        (settings_of("warp", slice_threads=[1]), "technique_settings", "warp"),
+        (settings_of("slices", slice_target=[]), "slice_target", "at least one"),
+        (settings_of("slices", slice_target=["RGB"]), "slice_target", "'RGB'"),
+        (settings_of("slices-threaded", slice_threads=[3]), "slice_threads", "3"),
+        (settings_of("slices-threaded", slice_threads=[True]), "threads", "True"),
+        (settings_of("compute", work_group_shape=["16"]), "shape", "16x8"),
+        (
+            changed("technique_settings_scenes", [{"dataset": "mri"}]),
+            "technique_settings_scenes[0]",
+            "dataset mri",
+        ),
+        (
+            changed("datasets", [{"name": "bucky", "otherwise": "mri"}]),
+            "otherwise",
+            "lemniscate, ball",
+        ),
+        (
+            changed("datasets", [{"name": "bucky", "otherwise": "ball"}, BALL]),
+            "ball",
+            "twice",
+        ),
+        (changed("datasets", [BALL | {"extent": 2}]), "extent", "ball"),
     ],
 )
 def test_each_fault_names_key_and_value(write_json, document, change, key, value):

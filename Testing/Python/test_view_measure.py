@@ -87,6 +87,22 @@ def test_reference_is_rendered_without_termination(calm):
     assert stage.side == 16, "the picture size was restored after the half-step check"
 
 
+def test_errors_can_be_measured_on_another_picture_size(calm):
+    stage = FakeStage()
+    larger = ErrorSettings(views=1, image_size=(80, 60))
+    found, pictures = measured(stage, calm, error=larger)
+    assert pictures.references[0].shape == (32, 32, 4), "twice the stage's 16"
+    assert all(item.error.image_size == (32, 32) for item in found.values())
+
+
+def test_settings_of_a_run_are_shown(calm):
+    stage = FakeStage(captures=False)
+    varied = {"slices-threaded": {"slice_threads": (1, 4)}}
+    measured(stage, calm, techniques=("slices-threaded",), technique_settings=varied)
+    shown = {sampling.settings for sampling in stage.shown}
+    assert shown == {(("slice_threads", 1),), (("slice_threads", 4),)}
+
+
 def test_no_error_views_means_no_error_but_pictures(calm):
     found, pictures = measured(FakeStage(), calm, error=ErrorSettings(views=0))
     assert all(item.error.rmse is None for item in found.values())
