@@ -14,7 +14,8 @@ from .results import FAILED, Record
 from .runner import Runner, find_inputs, prepare_folder
 from .study import Study
 from .study_file import find_study, load_study
-from .summary import text_table, unfinished
+from .summary import unfinished
+from .tables import text_tables
 
 
 class _Parser(argparse.ArgumentParser):
@@ -80,7 +81,7 @@ def write_views(
     """Write plots and report, and print the table."""
     write_plots(folder, records)
     write_report(folder, study, runner.context, records, runner.notes)
-    print(text_table(records))
+    print(text_tables(study, records))
     count = len(unfinished(records))
     print(
         f"{len(records)} rows, {count} without a measurement; {folder / 'report.html'}"

@@ -11,6 +11,7 @@ from .json_file import read_json, write_atomically
 from .pictures import BLACK, amplification, difference_image, over, write_png
 from .results import Record
 from .study import Run, Scene
+from .technique_settings import settings_text
 from .techniques import TECHNIQUES
 from .view_measure import Pictures
 
@@ -83,10 +84,15 @@ def _caption(record: Record) -> str:
     parts = []
     if record.step_voxels is not None:
         parts.append(f"{record.integrator}, step {record.step_voxels:g} voxel")
+    if record.settings:
+        parts.append(settings_text(record.settings))
     if record.frame_ms.median is not None:
         parts.append(f"{record.frame_ms.median:.0f} ms")
     if record.error.rmse is not None:
         parts.append(f"RMSE {record.error.rmse:.1e}")
+    size = record.error.image_size
+    if size and size != record.image_size:
+        parts.append(f"picture {size[0]} x {size[1]}")
     return ", ".join(parts)
 
 

@@ -13,7 +13,8 @@ from .error import EIGHT_BIT_RMSE  # noqa: E402
 from .errors import BenchError  # noqa: E402
 from .results import OK, Record  # noqa: E402
 from .study import Scene  # noqa: E402
-from .summary import in_scene, is_peer, lines, sampling_text, scenes_of  # noqa: E402
+from .summary import in_scene, is_peer, lines, sampling_text  # noqa: E402
+from .summary import scenes_of, standard_rows  # noqa: E402
 from .techniques import PARAVIEW, TECHNIQUES  # noqa: E402
 
 FOLDER = "plots"
@@ -93,7 +94,8 @@ def _save(figure: Any, path: Path) -> None:
 
 def _error_figure(rows: list[Record]) -> Any:
     """One panel per path, all with the same axes."""
-    shown = [row for row in rows if row.error.rmse and row.frame_ms.median]
+    timed = [row for row in rows if row.error.rmse and row.frame_ms.median]
+    shown = standard_rows(timed)
     paths = list(dict.fromkeys(row.path for row in shown))
     figure, panels = plt.subplots(
         1,

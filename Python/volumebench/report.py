@@ -12,10 +12,23 @@ from .plot import FOLDER as PLOT_FOLDER
 from .plot import PATH_TITLES, error_plot_file, fps_plot_file
 from .report_style import HOW_TO_READ, STYLE
 from .results import Context, Record
-from .study import Scene, Study
-from .summary import Line, headlines, in_scene, lines, missing_groups, number
-from .summary import sampling_text, scenes_of
-from .techniques import TECHNIQUES
+from .study import COMPOSITE, Scene, Study
+from .notes import SLOW_FACTOR, all_notes
+from .summary import (
+    Line,
+    headlines,
+    in_scene,
+    lines,
+    million_samples,
+    million_samples_per_second,
+    missing_groups,
+    number,
+    sampling_text,
+    scene_remarks,
+    scenes_of,
+)
+from .tables import Table, setting_tables, stage_table
+from .techniques import REFERENCE_TECHNIQUE, TECHNIQUES
 
 _CONTEXT_TITLES = {
     "date": "Date (UTC)",
@@ -52,6 +65,7 @@ def write_report(
             _summary(records),
             f'<section class="read"><h2>How to read this</h2>{HOW_TO_READ}</section>',
             *scenes,
+            _notes(study, records),
             _failures(records, notes),
             _settings(study, context),
         ]
@@ -99,7 +113,8 @@ def _summary(records: list[Record]) -> str:
 
 def _line_table(shown: list[Line], with_scene: bool) -> str:
     titles = ["Path", "Technique", "Sampling"]
-    figures = ["ms (quartiles)", "FPS", "RMSE", "99.9 %", "Speed-up"]
+    figures = ["ms (quartiles)", "GPU ms", "FPS", "Msamples", "Msamples/s"]
+    figures += ["RMSE", "99.9 %", "Speed-up"]
     if with_scene:
         titles.insert(0, "Scene")
     head = "".join(f"<th>{title}</th>" for title in titles)
@@ -139,7 +154,10 @@ def _cells(cells: list[str], line: Line) -> str:
         quartiles = f" <small>({spread.q1:.1f}&ndash;{spread.q3:.1f})</small>"
     figures = [
         number(spread.median, ".1f") + quartiles,
+        number(record.gpu_ms.median, ".1f"),
         number(record.fps, ".1f"),
+        number(million_samples(record), ".2f"),
+        number(million_samples_per_second(record), ".0f"),
         number(record.error.rmse, ".2e"),
         number(record.error.p999, ".2e"),
         factor,
@@ -156,23 +174,47 @@ def _scene_section(
     size = " &times; ".join(str(count) for count in dims) if dims else "not read"
     scalar_type = next((row.scalar_type for row in rows if row.scalar_type), "")
     doubt = max((row.error.reference_uncertainty or 0 for row in rows), default=0)
-    reference = f"; uncertainty of the reference {doubt:.1e} RMSE" if doubt else ""
+    remarks = [f"; {escape(text)}" for text in scene_remarks(rows)]
+    if doubt:
+        remarks.append(f"; uncertainty of the reference {doubt:.1e} RMSE")
+    blending = "" if scene.blend_mode == COMPOSITE else f" &middot; {scene.blend_mode}"
+    measured = [Line(row, None, False) for row in rows if row.frame_ms.median]
     parts = [
         f"<section><h2>{escape(scene.dataset)} &middot; "
-        f"{escape(scene.transfer_function)}</h2>",
+        f"{escape(scene.transfer_function)}{blending}</h2>",
         f'<p class="machine">{size} {escape(scalar_type)}, picture '
-        f"{scene.image_size[0]} &times; {scene.image_size[1]}{reference}</p>",
+        f"{scene.image_size[0]} &times; {scene.image_size[1]}{''.join(remarks)}</p>",
         _figure(folder / PLOT_FOLDER / error_plot_file(scene), "Error against time"),
         _pictures(folder, gallery),
         _figure(folder / PLOT_FOLDER / fps_plot_file(scene), "Frames per second"),
-        _all_rows(rows),
+        *(_table(table) for table in setting_tables(rows)),
+        _table(stage_table(rows)),
+        _all_rows(measured),
         "</section>",
     ]
     return "".join(parts)
 
 
-def _all_rows(rows: list[Record]) -> str:
-    measured = [Line(row, None, False) for row in rows if row.frame_ms.median]
+def _table(table: Table | None) -> str:
+    if table is None:
+        return ""
+
+    def row(cells: tuple[str, ...], tag: str) -> str:
+        return "".join(
+            f"<{tag}>{escape(cell)}</{tag}>"
+            if column < table.words
+            else f'<{tag} class="n">{escape(cell)}</{tag}>'
+            for column, cell in enumerate(cells)
+        )
+
+    body = "".join(f"<tr>{row(cells, 'td')}</tr>" for cells in table.rows)
+    return (
+        f'<h3>{escape(table.title)}</h3><div class="wide"><table><thead>'
+        f"<tr>{row(table.header, 'th')}</tr></thead><tbody>{body}</tbody></table></div>"
+    )
+
+
+def _all_rows(measured: list[Line]) -> str:
     if not measured:
         return ""
     table = _line_table(measured, with_scene=False)
@@ -216,6 +258,18 @@ def _card_image(folder: Path, name: str, title: str) -> str:
     return f'<img alt="{escape(title)}" src="{_inlined(path)}">'
 
 
+def _notes(study: Study, records: list[Record]) -> str:
+    found = all_notes(study, records)
+    items = "".join(f"<li>{escape(text)}</li>" for text in found)
+    title = TECHNIQUES[REFERENCE_TECHNIQUE].title
+    return (
+        "<section><h2>Notes</h2><p>Listed here is each technique whose frame takes more than "
+        f"{SLOW_FACTOR:g} times as long as that of {title} at the same sampling, with its stages "
+        "and its samples, which tell where the time goes.</p>"
+        f"{f'<ul>{items}</ul>' if items else '<p>There is none.</p>'}</section>"
+    )
+
+
 def _failures(records: list[Record], notes: list[str]) -> str:
     rows = [
         f"<li><b>{group.status}</b>: {escape(group.text())}</li>"
@@ -240,12 +294,24 @@ def _settings(study: Study, context: Context) -> str:
         f"{camera.elevation_degrees:g} degrees, zoom {camera.zoom:g}",
         "Stop rule": f"at least {timing.minimum_frames} frames, noise of the mean "
         f"{100 * timing.relative_noise:g} %, at most {timing.time_limit_s:g} s a run",
-        "Error": f"{error.views} views, reference step {error.reference_step_voxels:g} voxel",
+        "Error": f"{error.views} views, reference step {error.reference_step_voxels:g} voxel"
+        + _size_text(error.image_size),
         "Ray termination": f"remaining transmittance {study.termination_threshold:g}",
         "Ray set-up": study.ray_set_up,
+        "Lighting": _lighting_text(study),
     }
     rows = "".join(
         f"<tr><th>{escape(name)}</th><td>{escape(str(value))}</td></tr>"
         for name, value in entries.items()
     )
     return f"<section><h2>Machine and settings</h2><table>{rows}</table></section>"
+
+
+def _size_text(size: tuple[int, int] | None) -> str:
+    return f", on pictures of {size[0]} x {size[1]} pixels" if size else ""
+
+
+def _lighting_text(study: Study) -> str:
+    if not study.lighting:
+        return "none"
+    return f"gradient shading, damping {study.lighting_damping:g}"

@@ -9,6 +9,7 @@ header { margin: 8px 0 24px; }
   font-weight: 600; margin: 0; }
 h1 { font-size: 32px; line-height: 1.2; margin: 2px 0 8px; }
 h2 { font-size: 19px; margin: 0 0 8px; }
+h3 { font-size: 14px; margin: 16px 0 4px; }
 section { background: #fff; border: 1px solid #e2e4e9; border-radius: 8px; padding: 20px 24px;
   margin: 0 0 18px; }
 section.read { background: #f8fafc; }
@@ -42,6 +43,9 @@ from coarse to fine; the star is what ParaView or VTK draws by default, where no
 offered. Read off the time at the height of the star to compare at equal error. Errors inside the
 shaded band are below the uncertainty of the reference: they are small, but their size is not
 known.</p>
+<p><b>Msamples</b> are the samples that one frame takes of the volume, in millions, counted at the
+first error view; over the time of a frame they give the rate. Stages and samples are taken in
+frames of their own, since counting and timing slow a frame down.</p>
 <p>The three paths answer three questions. <b>engine</b>: how fast is the rendering alone?
 <b>view</b>: how long does ParaView take to show a finished picture, its own overhead included?
 <b>interactive</b>: the same while the mouse drags, when ParaView's own volume rendering lowers its

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 from .results import OK, Record
 from .study import Scene
+from .technique_settings import settings_text
 from .techniques import TECHNIQUES
 
 STANDARD_STEP_VOXELS = 1.0
@@ -38,6 +39,18 @@ def scenes_of(records: list[Record]) -> list[Scene]:
 def in_scene(records: list[Record], scene: Scene) -> list[Record]:
     """Return the rows of one scene."""
     return [record for record in records if record.run().scene == scene]
+
+
+def standard_rows(records: list[Record]) -> list[Record]:
+    """Return the rows that have the first of the settings that their technique varies."""
+    first: dict[tuple[Scene, str, str], dict] = {}
+    for row in records:
+        first.setdefault((row.run().scene, row.path, row.technique), row.settings)
+    return [
+        row
+        for row in records
+        if row.settings == first[row.run().scene, row.path, row.technique]
+    ]
 
 
 def matching(candidates: list[Record], peer: Record | None) -> tuple[Record, bool]:
@@ -105,51 +118,49 @@ def _range_text(factors: list[float]) -> str:
     return f"{low} times" if low == high else f"{low} to {high} times"
 
 
+def million_samples(record: Record) -> float | None:
+    """Return the samples of one frame, in millions."""
+    return None if record.samples_taken is None else record.samples_taken / 1e6
+
+
+def million_samples_per_second(record: Record) -> float | None:
+    """Return the samples of one frame over the median time of a frame."""
+    count, frame_ms = million_samples(record), record.frame_ms.median
+    return 1000 * count / frame_ms if count is not None and frame_ms else None
+
+
+def stage_split(record: Record) -> str:
+    """Return the stages of a frame with their shares; empty for one that has no stages."""
+    stages = {name: ms for name, ms in (record.stages_ms or {}).items() if ms}
+    total = sum(stages.values())
+    return ", ".join(
+        f"{name} {ms:.2f} ms ({100 * ms / total:.0f} %)" for name, ms in stages.items()
+    )
+
+
+def scene_remarks(records: list[Record]) -> list[str]:
+    """Return what a reader must know of the rows of one scene beside its name."""
+    remarks = []
+    for row in records:
+        size = row.error.image_size
+        if row.stand_in_for:
+            remarks.append(f"generated, stands in for {row.stand_in_for}")
+        if size and size != row.image_size:
+            remarks.append(f"errors measured on {size[0]} x {size[1]}")
+    return list(dict.fromkeys(remarks))
+
+
 def unfinished(records: list[Record]) -> list[Record]:
     """Return the rows that hold no measurement."""
     return [record for record in records if record.status != OK]
 
 
 def sampling_text(record: Record) -> str:
-    """Return integrator and step for readers."""
+    """Return integrator, step and varied settings for readers."""
     if record.step_voxels is None:
         return "its own default"
-    return f"{record.integrator}, step {record.step_voxels:g}"
-
-
-def text_table(records: list[Record]) -> str:
-    """Return the lines as a table for the terminal."""
-    header = ("scene", "path", "technique", "sampling", "ms", "FPS", "RMSE", "speed-up")
-    rows = [header]
-    for line in lines(records):
-        record = line.record
-        speed_up = line.speed_up()
-        factor = f"{speed_up:.1f}x" if speed_up else ""
-        rows.append(
-            (
-                record.run().scene.title(),
-                record.path,
-                TECHNIQUES[record.technique].title,
-                sampling_text(record),
-                number(record.frame_ms.median, ".1f"),
-                number(record.fps, ".1f"),
-                number(record.error.rmse, ".2e"),
-                factor if line.matched or not factor else factor + " *",
-            )
-        )
-    widths = [max(len(row[column]) for row in rows) for column in range(len(header))]
-    text = [
-        "  ".join(
-            cell.rjust(width) if column > 3 else cell.ljust(width)
-            for column, (cell, width) in enumerate(zip(row, widths))
-        ).rstrip()
-        for row in rows
-    ]
-    if any(row[-1].endswith("*") for row in rows):
-        text.append("* not at equal error: no run was as accurate as the peer's")
-    text.extend(headlines(records))
-    text.extend(f"{item.status}: {item.text()}" for item in missing_groups(records))
-    return "\n".join(text)
+    text = f"{record.integrator}, step {record.step_voxels:g}"
+    return f"{text}, {settings_text(record.settings)}" if record.settings else text
 
 
 @dataclass(frozen=True)

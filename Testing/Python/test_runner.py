@@ -12,8 +12,9 @@ from volumebench.errors import StudyError
 from volumebench.progress import Progress, bar_line
 from volumebench.results import read_results
 from volumebench.runner import Runner, find_inputs, prepare_folder
-from volumebench.study import Timing
-from volumebench.summary import headlines, lines, text_table
+from volumebench.study import Dataset, Timing
+from volumebench.summary import headlines, lines
+from volumebench.tables import text_tables
 
 
 @pytest.fixture
@@ -46,6 +47,27 @@ def test_resume_measures_only_what_is_missing(calm, tmp_path):
     assert {run.technique for run in session.measured} == {"paraview-volume", "vtk-gpu"}
     _, records = read_results(tmp_path / "results.json")
     assert [record.run() for record in records] == calm.runs()
+
+
+def test_resume_tells_settings_apart(calm, tmp_path):
+    threads = {"slices-threaded": {"slice_threads": (1, 2)}}
+    some = replace(calm, technique_settings=threads).only(["slices-threaded"])
+    run_study(some, tmp_path)
+    more = {"slices-threaded": {"slice_threads": (1, 2, 4)}}
+    _, session = run_study(
+        replace(some, technique_settings=more), tmp_path, resume=True
+    )
+    assert {run.settings for run in session.measured} == {(("slice_threads", 4),)}
+
+
+def test_rows_of_a_stand_in_say_so(calm, tmp_path):
+    ball = Dataset("ball", (8, 8, 8), stands_for="bucky")
+    stand_in = calm.with_datasets({"lemniscate": ball})
+    runner, _ = run_study(stand_in, tmp_path)
+    assert {record.stand_in_for for record in runner.records} == {"bucky"}
+    write_views(stand_in, tmp_path, runner, runner.records)
+    assert "stands in for bucky" in (tmp_path / "report.html").read_text()
+    assert "stands in for bucky" in text_tables(stand_in, runner.records)
 
 
 def test_failed_rows_are_measured_again_on_resume(calm, tmp_path):
@@ -107,7 +129,7 @@ def test_summary_marks_what_is_not_at_equal_error(calm, tmp_path):
     runner, _ = run_study(coarse, tmp_path)
     view = [line for line in lines(runner.records) if line.record.path == "view"]
     assert not view[1].matched
-    assert "* not at equal error" in text_table(runner.records)
+    assert "* not at equal error" in text_tables(coarse, runner.records)
 
 
 @pytest.fixture
@@ -126,11 +148,11 @@ def test_report_is_self_contained(finished):
         assert text in html
 
 
-def test_report_and_table_name_rows_that_are_missing(finished, capsys):
+def test_report_and_table_name_rows_that_are_missing(finished, calm):
     html = (finished / "report.html").read_text()
     assert "unsupported" in html and "Volume OpenCL" in html
     _, records = read_results(finished / "results.json")
-    assert "unsupported: OpenCL" in text_table(records)
+    assert "unsupported: OpenCL" in text_tables(calm, records)
 
 
 def test_plots_and_pictures_are_written(finished):

@@ -1,0 +1,146 @@
+"""Tables of a study as rows of text, for the terminal and for the report."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from .notes import all_notes
+from .results import OK, Record
+from .study import Scene, Study
+from .summary import (
+    Line,
+    headlines,
+    in_scene,
+    lines,
+    million_samples,
+    million_samples_per_second,
+    missing_groups,
+    number,
+    sampling_text,
+    scene_remarks,
+    scenes_of,
+    stage_split,
+    standard_rows,
+)
+from .techniques import TECHNIQUES
+
+
+@dataclass(frozen=True)
+class Table:
+    """A title, and cells whose first columns are words and whose other columns are numbers."""
+
+    title: str
+    header: tuple[str, ...]
+    rows: tuple[tuple[str, ...], ...]
+    words: int
+
+
+def technique_table(records: list[Record], scene: Scene) -> Table:
+    """Return speed, samples and error of each technique in a scene."""
+    header = ("path", "technique", "sampling", "ms", "GPU ms", "FPS")
+    header += ("Msamples", "Msamples/s", "RMSE", "speed-up")
+    rows = in_scene(records, scene)
+    title = "; ".join([scene.title(), *scene_remarks(rows)])
+    return Table(title, header, tuple(_technique_row(line) for line in lines(rows)), 3)
+
+
+def _technique_row(line: Line) -> tuple[str, ...]:
+    record = line.record
+    speed_up = line.speed_up()
+    factor = f"{speed_up:.1f}x" if speed_up else ""
+    return (
+        record.path,
+        TECHNIQUES[record.technique].title,
+        sampling_text(record),
+        number(record.frame_ms.median, ".1f"),
+        number(record.gpu_ms.median, ".1f"),
+        number(record.fps, ".1f"),
+        number(million_samples(record), ".2f"),
+        number(million_samples_per_second(record), ".0f"),
+        number(record.error.rmse, ".2e"),
+        factor if line.matched or not factor else factor + " *",
+    )
+
+
+def setting_tables(records: list[Record]) -> list[Table]:
+    """Return one table for each technique whose settings vary in a scene, path and sampling."""
+    groups: dict[tuple, list[Record]] = {}
+    for row in records:
+        if row.status == OK and row.settings:
+            sampling = (row.integrator, row.step_voxels)
+            key = (row.run().scene, row.path, row.technique, *sampling)
+            groups.setdefault(key, []).append(row)
+    return [_setting_table(rows) for rows in groups.values() if len(rows) > 1]
+
+
+def _setting_table(rows: list[Record]) -> Table:
+    first = rows[0]
+    names = list(first.settings)
+    stages = list(dict.fromkeys(name for row in rows for name in row.stages_ms or ()))
+    titles = tuple(name.replace("_", " ") for name in names)
+    stage_titles = tuple(f"{name} ms" for name in stages)
+    cells = tuple(
+        (
+            *(str(row.settings[name]) for name in names),
+            number(row.fps, ".1f"),
+            number(row.frame_ms.median, ".1f"),
+            *(number((row.stages_ms or {}).get(name), ".2f") for name in stages),
+        )
+        for row in rows
+    )
+    title = (
+        f"{TECHNIQUES[first.technique].title} by {', '.join(titles)}: "
+        f"{first.run().scene.title()}, path {first.path}, {first.integrator}, "
+        f"step {first.step_voxels:g}"
+    )
+    return Table(title, (*titles, "FPS", "ms", *stage_titles), cells, len(names))
+
+
+def stage_table(records: list[Record]) -> Table | None:
+    """Return where the time of a frame goes, for all techniques that have several stages."""
+    rows = [
+        (
+            row.run().scene.title(),
+            row.path,
+            TECHNIQUES[row.technique].title,
+            sampling_text(row),
+            stage_split(row),
+        )
+        for row in standard_rows(records)
+        if row.status == OK and row.stages_ms
+    ]
+    header = ("scene", "path", "technique", "sampling", "stages")
+    title = "Stages of a frame, timed in frames of their own"
+    return Table(title, header, tuple(rows), len(header)) if rows else None
+
+
+def as_text(table: Table) -> str:
+    """Return the table for the terminal."""
+    cells = [table.header, *table.rows]
+    widths = [max(map(len, column)) for column in zip(*cells)]
+
+    def line(row: tuple[str, ...]) -> str:
+        padded = (
+            cell.ljust(width) if column < table.words else cell.rjust(width)
+            for column, (cell, width) in enumerate(zip(row, widths))
+        )
+        return "  " + "  ".join(padded).rstrip()
+
+    return "\n".join([table.title, *map(line, cells)])
+
+
+def text_tables(study: Study, records: list[Record]) -> str:
+    """Return everything that is printed at the end of a study."""
+    return "\n".join(_blocks(study, records))
+
+
+def _blocks(study: Study, records: list[Record]) -> Iterator[str]:
+    tables = [technique_table(records, scene) for scene in scenes_of(records)]
+    yield from (as_text(table) for table in tables if table.rows)
+    if any(row[-1].endswith("*") for table in tables for row in table.rows):
+        yield "* not at equal error: no run was as accurate as the peer's"
+    yield from (as_text(table) for table in setting_tables(records))
+    if stages := stage_table(records):
+        yield as_text(stages)
+    yield from headlines(records)
+    yield from (f"note: {text}" for text in all_notes(study, records))
+    yield from (f"{item.status}: {item.text()}" for item in missing_groups(records))

@@ -1,0 +1,138 @@
+"""Tables and notes say what the rows hold: samples, threads, stages, and what is slow and why."""
+
+from dataclasses import replace
+
+import pytest
+from volumebench.error import ImageError
+from volumebench.notes import all_notes, slow_notes
+from volumebench.report import write_report
+from volumebench.results import Context, record_of
+from volumebench.statistics import spread
+from volumebench.study import Run, Scene
+from volumebench.tables import (
+    as_text,
+    setting_tables,
+    stage_table,
+    technique_table,
+    text_tables,
+)
+
+SCENE = Scene("mri", "mri-translucent", (500, 500))
+STAGES = {"tessellation": 5.0, "drawing": 40.0, "display": 5.0}
+
+
+def row(technique, frame_ms, samples=None, stages=None, settings=(), **changes):
+    step = None if technique == "vtk-gpu" else 1.0
+    integrator = None if technique == "vtk-gpu" else "Midpoint"
+    run = Run(
+        "small", SCENE, technique, integrator, step, "orbit-y", "engine", settings
+    )
+    return record_of(
+        run,
+        (8, 8, 8),
+        "uint8",
+        frames=1,
+        frame_ms=spread([frame_ms]),
+        gpu_ms=spread([frame_ms - 1]),
+        fps=1000 / frame_ms,
+        samples_taken=samples,
+        stages_ms=stages,
+        error=ImageError(rmse=0.01, image_size=(250, 250)),
+        **changes,
+    )
+
+
+def threaded(count, frame_ms, **values):
+    return row(
+        "slices-threaded", frame_ms, settings=(("slice_threads", count),), **values
+    )
+
+
+@pytest.fixture
+def records():
+    return [
+        row("single-pass", 20.0, 4_000_000),
+        row("multi-pass", 30.0, 4_000_000, {"box faces": 3.0, "march": 27.0}),
+        row("slices", 50.0, 8_000_000, STAGES),
+        threaded(4, 45.0, samples=8_000_000, stages=STAGES),
+        threaded(1, 60.0, samples=8_000_000, stages=STAGES | {"upload": 1.0}),
+        row("vtk-gpu", 90.0),
+    ]
+
+
+def test_technique_table_shows_samples_and_their_rate(records):
+    table = technique_table(records, SCENE)
+    assert "errors measured on 250 x 250" in table.title
+    cells = {line[1]: dict(zip(table.header, line)) for line in table.rows}
+    ours = cells["Single Pass"]
+    assert (ours["Msamples"], ours["Msamples/s"]) == ("4.00", "200")
+    assert (ours["GPU ms"], ours["FPS"]) == ("19.0", "50.0")
+    assert cells["VTK GPU mapper"]["Msamples"] == "-"
+
+
+def test_settings_that_vary_have_a_table(records):
+    (table,) = setting_tables(records)
+    assert "Slices Threaded by slice threads" in table.title
+    assert table.header == (
+        *("slice threads", "FPS", "ms"),
+        *("tessellation ms", "drawing ms", "display ms", "upload ms"),
+    )
+    assert table.rows[0] == ("4", "22.2", "45.0", "5.00", "40.00", "5.00", "-")
+    assert table.rows[1][0] == "1" and table.rows[1][-1] == "1.00"
+
+
+def test_one_row_of_settings_needs_no_table(records):
+    assert not setting_tables(records[:4])
+
+
+def test_stages_are_told_with_their_shares(records):
+    table = stage_table(records)
+    by_technique = {line[2]: line[-1] for line in table.rows}
+    assert (
+        by_technique["Multi Pass"] == "box faces 3.00 ms (10 %), march 27.00 ms (90 %)"
+    )
+    assert len(table.rows) == 3, "the first settings of a technique, not all"
+    assert stage_table(records[:1]) is None
+
+
+def test_columns_of_text_are_aligned(records):
+    lines = as_text(technique_table(records, SCENE)).splitlines()[1:]
+    ends = {line.rindex("e-02") for line in lines[1:]}
+    assert len(ends) == 1
+
+
+def test_slow_techniques_are_noted_with_the_cause(records):
+    """Slices: 50 / 20 = 2.5 times, twice the samples, so 1.25 for each."""
+    notes = slow_notes(records)
+    assert len(notes) == 2
+    assert "Slices (Midpoint, step 1) takes 2.5 times as long" in notes[0]
+    assert "drawing 40.00 ms (80 %)" in notes[0]
+    assert "2.00 times as many samples (8.00 against 4.00 million)" in notes[0]
+    assert "1.2 times as long" in notes[0]
+    assert "slice threads 4" in notes[1]
+
+
+def test_a_slow_technique_without_counts_says_so(records):
+    base = replace(records[0], samples_taken=None)
+    (note,) = slow_notes([base, row("compute", 41.0)])
+    assert "no stages" in note and "not counted" in note
+
+
+def test_nothing_is_slow_without_single_pass_or_below_twice(records):
+    assert not slow_notes(records[1:])
+    assert not slow_notes([records[0], row("compute", 39.0)])
+    assert not slow_notes([records[0], replace(row("compute", 90.0), status="failed")])
+
+
+def test_report_and_terminal_hold_the_notes_of_study_and_results(
+    records, study, tmp_path
+):
+    noted = replace(study, notes=("Measured by <hand>.",))
+    assert all_notes(noted, records)[0] == "Measured by <hand>."
+    text = text_tables(noted, records)
+    assert "note: Measured by <hand>." in text and "2.5 times as long" in text
+    write_report(tmp_path, noted, Context(), records, [])
+    html = (tmp_path / "report.html").read_text()
+    for expected in ("Measured by &lt;hand&gt;.", "2.5 times as long", "Msamples/s"):
+        assert expected in html
+    assert "slice threads" in html and "box faces 3.00 ms (10 %)" in html
