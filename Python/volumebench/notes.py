@@ -67,6 +67,8 @@ def _sample_sentence(row: Record, base: Record, slower: float) -> str:
     if not ours or not theirs:
         return " Its samples were not counted."
     more = ours / theirs
+    if abs(more - 1) < 0.005:
+        return f" Both take as many samples, {ours:.2f} million."
     return (
         f" It takes {more:.2f} times as many samples ({ours:.2f} against {theirs:.2f} million), "
         f"so that the time for a sample is {slower / more:.1f} times as long."

@@ -118,6 +118,11 @@ def test_a_slow_technique_without_counts_says_so(records):
     assert "no stages" in note and "not counted" in note
 
 
+def test_equal_counts_are_told_as_such(records):
+    (note,) = slow_notes([records[0], row("compute", 41.0, 4_000_000)])
+    assert note.endswith("Both take as many samples, 4.00 million.")
+
+
 def test_nothing_is_slow_without_single_pass_or_below_twice(records):
     assert not slow_notes(records[1:])
     assert not slow_notes([records[0], row("compute", 39.0)])
