@@ -71,6 +71,22 @@ public:
     this->Renderer->ResetCamera();
   }
 
+  /// Looks along -z in parallel projection, so that every ray has a line of texels to itself.
+  void LookAlongZ(double halfHeight)
+  {
+    this->Renderer->GetActiveCamera()->ParallelProjectionOn();
+    this->LookFrom(0.0, 0.0, 1.0);
+    this->Renderer->GetActiveCamera()->SetParallelScale(halfHeight);
+  }
+
+  /// World x or y of a pixel's middle under LookAlongZ.
+  double PositionOf(int pixel, int axis)
+  {
+    vtkCamera* camera = this->Renderer->GetActiveCamera();
+    return camera->GetFocalPoint()[axis] +
+      ((pixel + 0.5) * 2.0 / Size - 1.0) * camera->GetParallelScale();
+  }
+
   FloatPicture Picture() { return RenderToFloat(this->Renderer); }
 
   vtkNew<vtkRenderWindow> Window;
