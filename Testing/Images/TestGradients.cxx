@@ -74,8 +74,8 @@ TEST_P(Gradients, OpacityFactorIsByTheGradientInDataUnits)
         9, 9, 9, [&](double i, double j, double) { return c.PerI * i + c.PerJ * j; }, type);
       image->SetSpacing(spacing);
       RenderScene scene(GetParam(), image, GradientOpacityProperty());
-      scene.LookAlongZ(8.0);
       scene.Volume->SetScale(1.0, 1.0, 5.0); // the actor must not matter
+      scene.LookAlongZ(8.0);
       const double depth = Tau * FactorOf(c.Gradient) * 8.0 * spacing[2];
       EXPECT_NEAR(PixelAt(scene.Picture(), 30, 33).Alpha, -std::expm1(-depth), 1e-4)
         << "gradient " << c.Gradient << " type " << type;

@@ -43,10 +43,10 @@ double AlongDepth(double, double, double k)
   return k;
 }
 
-// Highest on a plateau that the camera meets first.
+// Highest on a plateau that half of the rays meet first.
 double Plateau(double i, double, double k)
 {
-  return std::min(k, 3.0) + 0.5 * i;
+  return std::min(std::min(k, 3.0) + 0.5 * i, 5.0);
 }
 
 double Sum(const FloatPicture& picture, int channel)
@@ -143,7 +143,7 @@ TEST_P(Projections, MaximumAndMinimumStopEarlyWithoutChangingThePicture)
     RenderScene scene(GetParam(),
       MakeImage(9, 9, 9,
         [=](double i, double j, double k)
-        { return maximum ? std::min(Plateau(i, j, k), 5.0) : Top - Plateau(i, j, k); }),
+        { return maximum ? Plateau(i, j, k) : Top - Plateau(i, j, k); }),
       LinearProperty());
     scene.Mapper->SetBlendMode(mode);
     const FloatPicture full = scene.Picture();
