@@ -2,9 +2,7 @@
 #include "Dialects/Glsl.h"
 #include "Shared/RayCast.h"
 
-#if WITH_OPAQUE_DEPTH
-uniform sampler2D opaqueDepthTexture;
-#endif
+uniform sampler2D slabRayTexture;
 
 flat in vec2 slabDepths;
 
@@ -12,11 +10,7 @@ out vec4 fragmentColor;
 
 void main()
 {
+  vec4 slabRay = texelFetch(slabRayTexture, ivec2(gl_FragCoord.xy), 0);
   vec2 pixel = gl_FragCoord.xy + scene.rectangle.xy;
-  float windowDepth = 1.0;
-#if WITH_OPAQUE_DEPTH
-  windowDepth = texelFetch(opaqueDepthTexture, ivec2(pixel - scene.viewport.xy), 0).x;
-#endif
-  Ray ray = rayThroughPixel(pixel);
-  fragmentColor = castSlab(ray, visibleInterval(ray, windowDepth), slabDepths.x, slabDepths.y);
+  fragmentColor = castSlab(pixel, slabRay, slabDepths.x, slabDepths.y);
 }

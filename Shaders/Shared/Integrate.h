@@ -46,7 +46,7 @@ FUNC vec4 contributionOf(SCENE_PARAM Ray ray, real stepBegin, real width, real f
 #else
   vec4 sampled = sampleAt(SCENE ray, along);
 #endif
-  real opacity = opacityOfDepth(sampled.w * (width * ray.lengthPerVoxel));
+  real opacity = opacityOfDepth(sampled.w * (width * ray.lengthPerUnit));
   return VEC4(opacity * sampled.x, opacity * sampled.y, opacity * sampled.z, opacity);
 }
 #endif
@@ -113,23 +113,33 @@ FUNC vec4 castRayFrom(SCENE_PARAM vec3 entryPoint, vec4 directionAndLength, real
   return integrate(SCENE ray, clipToView(SCENE ray, interval, windowDepth));
 }
 
-// What one slab of slicing adds to a ray: its part between two view depths, as one step. Depths are
-// relative to the plane of the rays' origins. The length is that of the ray, so it grows towards the
-// edge of a perspective picture.
-FUNC vec4 castSlab(SCENE_PARAM Ray ray, Interval visible, real nearDepth, real farDepth)
+// What all slabs of slicing have in common for a pixel: begin and end of what can be seen of its ray,
+// in view depth relative to the plane of the rays' origins; data length and 1 / voxels per unit of
+// that depth. So the exact clipping is done once for a pixel and not once for each slab.
+FUNC vec4 slabRayOf(SCENE_PARAM vec2 pixel, real windowDepth)
 {
-  Interval slab = visible;
+  Ray ray = rayThroughPixel(SCENE pixel);
+  Interval visible = visibleInterval(SCENE ray, windowDepth);
   real depthPerVoxel = dot(xyz(scene.viewDepth), ray.direction);
-  slab.begin = max(slab.begin, nearDepth / depthPerVoxel);
-  slab.end = min(slab.end, farDepth / depthPerVoxel);
-  if (slab.end <= slab.begin)
+  return VEC4(visible.begin * depthPerVoxel, visible.end * depthPerVoxel,
+    ray.lengthPerUnit / depthPerVoxel, depthPerVoxel);
+}
+
+// What one slab adds to a pixel's ray: its part between two depths, as one step. The length is that
+// of the ray, so it grows towards the edge of a perspective picture.
+FUNC vec4 castSlab(SCENE_PARAM vec2 pixel, vec4 slabRay, real nearDepth, real farDepth)
+{
+  real slabBegin = max(slabRay.x, nearDepth);
+  real width = min(slabRay.y, farDepth) - slabBegin;
+  if (width <= REAL(0.0))
   {
     return emptyRay();
   }
 #if WITH_SAMPLE_COUNT
   return VEC4(REAL(1.0), REAL(0.0), REAL(0.0), REAL(0.0));
 #else
-  return contributionOf(SCENE ray, slab.begin, slab.end - slab.begin,
-    endValue(SCENE ray, slab.begin), endValue(SCENE ray, slab.end));
+  Ray ray = rayInDepth(SCENE pixel, slabRay.z, slabRay.w);
+  return contributionOf(SCENE ray, slabBegin, width, endValue(SCENE ray, slabBegin),
+    endValue(SCENE ray, slabBegin + width));
 #endif
 }

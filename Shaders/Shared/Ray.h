@@ -1,13 +1,15 @@
 // The ray of a pixel and the exact interval of it that lies in the box, between the near and far
-// planes, in the crop box and in front of opaque geometry. Lengths along a ray are in voxels.
+// planes, in the crop box and in front of opaque geometry. Lengths along a ray are in voxels; slicing
+// counts them in view depth instead, which is why a ray knows how long its unit is.
 STRUCT(Ray)
 {
   vec3 origin;           // voxel space: on the reference plane, or where the ray enters the box
-  vec3 direction;        // voxel space, length 1
+  vec3 direction;        // voxel space, over one unit along the ray
   vec3 textureOrigin;    // the same two in texture space
   vec3 textureDirection;
   real originDepth;      // view depth of the origin
-  real lengthPerVoxel;   // data length of one unit along the ray
+  real lengthPerUnit;    // data length of one unit along the ray
+  real oneVoxel;         // units that are as long as one voxel
 };
 
 STRUCT(Interval)
@@ -24,7 +26,8 @@ FUNC Ray rayFrom(SCENE_PARAM vec3 origin, vec3 direction, real originDepth)
   ray.textureOrigin = origin * xyz(scene.textureScale) + xyz(scene.textureOffset);
   ray.textureDirection = direction * xyz(scene.textureScale);
   ray.originDepth = originDepth;
-  ray.lengthPerVoxel = length(rowsTimes(scene.dataX, scene.dataY, scene.dataZ, direction));
+  ray.lengthPerUnit = length(rowsTimes(scene.dataX, scene.dataY, scene.dataZ, direction));
+  ray.oneVoxel = REAL(1.0);
   return ray;
 }
 
@@ -36,6 +39,24 @@ FUNC Ray rayThroughPixel(SCENE_PARAM vec2 pixel)
   vec3 direction = normalize(
     xyz(scene.rayDirection) + x * xyz(scene.rayDirectionX) + y * xyz(scene.rayDirectionY));
   return rayFrom(SCENE origin, direction, scene.viewDepth.w);
+}
+
+// The same ray with view depth, relative to the plane of its origin, as its unit. What is the same
+// for all slabs that it crosses is worked out once for the pixel: see slabRayOf in Integrate.h.
+FUNC Ray rayInDepth(SCENE_PARAM vec2 pixel, real lengthPerDepth, real depthPerVoxel)
+{
+  real x = (pixel.x - scene.viewport.x) * scene.viewport.z - REAL(1.0);
+  real y = (pixel.y - scene.viewport.y) * scene.viewport.w - REAL(1.0);
+  Ray ray;
+  ray.origin = xyz(scene.rayOrigin) + x * xyz(scene.rayOriginX) + y * xyz(scene.rayOriginY);
+  ray.direction = scene.depthRange.w *
+    (xyz(scene.rayDirection) + x * xyz(scene.rayDirectionX) + y * xyz(scene.rayDirectionY));
+  ray.textureOrigin = ray.origin * xyz(scene.textureScale) + xyz(scene.textureOffset);
+  ray.textureDirection = ray.direction * xyz(scene.textureScale);
+  ray.originDepth = scene.viewDepth.w;
+  ray.lengthPerUnit = lengthPerDepth;
+  ray.oneVoxel = depthPerVoxel;
+  return ray;
 }
 
 // View depth of a point in voxel space. The origins of all pixels' rays lie at depth viewDepth.w.

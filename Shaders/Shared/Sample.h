@@ -74,13 +74,13 @@ FUNC bool isHidden(SCENE_PARAM Ray ray, real along)
 // range that the data have (Maas & Overhoff 2015, "gradient calculation").
 FUNC real changeAlong(SCENE_PARAM Ray ray, real along)
 {
-  real before = fieldAt(SCENE texturePositionOf(ray, along - REAL(1.0)));
-  real after = fieldAt(SCENE texturePositionOf(ray, along + REAL(1.0)));
+  real before = fieldAt(SCENE texturePositionOf(ray, along - ray.oneVoxel));
+  real after = fieldAt(SCENE texturePositionOf(ray, along + ray.oneVoxel));
   return min(fabs(after - before) * scene.extremes.z, REAL(1.0));
 }
 #endif
 
-// Colour and extinction as they are seen at the distance `along` (voxels), given what the transfer
+// Colour and extinction as they are seen at the distance `along`, given what the transfer
 // function makes of the field there.
 FUNC vec4 appearanceAt(SCENE_PARAM Ray ray, real along, vec4 sampled)
 {
@@ -112,7 +112,7 @@ FUNC vec4 appearanceAt(SCENE_PARAM Ray ray, real along, vec4 sampled)
   return sampled;
 }
 
-// Colour and extinction at the distance `along` (voxels) on the ray.
+// Colour and extinction at the distance `along` on the ray.
 FUNC vec4 sampleAt(SCENE_PARAM Ray ray, real along)
 {
   return appearanceAt(SCENE ray, along, classifiedAt(SCENE texturePositionOf(ray, along)));

@@ -16,7 +16,8 @@ SCENE_BLOCK_BEGIN
   vec4 rayDirectionX;   // xyz: its change per unit of normalized device x (zero when parallel)
   vec4 rayDirectionY;   // xyz: the same per unit of y
   vec4 viewDepth;       // xyz: gradient of the view depth in voxel space; w: depth of the origin
-  vec4 depthRange;      // x, y: near and far view depth; z: 1 for a parallel camera
+  vec4 depthRange;      // x, y: near and far view depth; z: 1 for a parallel camera; w: how
+                        // often rayDirection goes into a unit of view depth
   vec4 depthProjection; // x, y: the two numbers that turn window depth into view depth
   vec4 viewport;        // x, y: lower left pixel; z, w: 2 / width, 2 / height
   vec4 rectangle;       // x, y: lower left pixel of all that the box covers; z, w: its size

@@ -29,7 +29,7 @@ BackendScene MakeScene()
 
 Ray MakeRay(Vec3 origin, Vec3 direction)
 {
-  return { origin, glm::normalize(direction), Vec3(0), Vec3(0), Real(100), Real(1) };
+  return { origin, glm::normalize(direction), Vec3(0), Vec3(0), Real(100), Real(1), Real(1) };
 }
 
 double LengthOf(const Interval& interval)

@@ -75,7 +75,8 @@ void PackRays(const Scene& scene, const glm::dmat4& voxelToView, SceneBlock64& b
 void PackProjection(const Camera& camera, SceneBlock64& block)
 {
   const glm::dmat4& p = camera.ViewToClip;
-  block.depthRange = { camera.NearDepth, camera.FarDepth, camera.Parallel ? 1.0 : 0.0, 0.0 };
+  block.depthRange = { camera.NearDepth, camera.FarDepth, camera.Parallel ? 1.0 : 0.0,
+    1.0 / glm::dot(glm::dvec3(block.viewDepth), glm::dvec3(block.rayDirection)) };
   // Perspective: deviceZ = -p22 + p32 / depth; parallel: deviceZ = -p22 * depth + p32.
   block.depthProjection = { p[2][2], p[3][2], 0.0, 0.0 };
   block.viewport = { camera.Viewport.x, camera.Viewport.y, 2.0 / camera.Viewport.z,

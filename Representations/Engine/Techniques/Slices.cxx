@@ -65,6 +65,7 @@ FeatureSet Slices::FeaturesFor(const Scene& scene) const
 
 void Slices::Compile(const Scene&)
 {
+  this->ProgramOf({ "Viewport.vert", "SlabRays.frag" });
   this->ProgramOf({ "Slices.vert", "Slices.frag" });
   this->ProgramOf({ "Viewport.vert", "SlicesDisplay.frag" });
 }
@@ -147,6 +148,18 @@ void Slices::SetBlending(const Scene& scene, vtkOpenGLRenderWindow* window)
   }
 }
 
+void Slices::DrawRays(
+  const Scene& scene, vtkOpenGLRenderWindow* window, const glm::ivec4& rectangle)
+{
+  const OffscreenScope scope(window);
+  this->Rays.Resize(glm::ivec2(rectangle.z, rectangle.w), GL_RGBA32F);
+  this->Rays.Bind(window, rectangle, scene.Camera.Viewport);
+  TextureUnits units(window);
+  this->BindWithScene(this->ProgramOf({ "Viewport.vert", "SlabRays.frag" }), window, units);
+  BlendOff(window);
+  this->DrawTriangle(window, nullptr);
+}
+
 void Slices::DrawPolygons(
   const Scene& scene, vtkOpenGLRenderWindow* window, const glm::ivec4& rectangle)
 {
@@ -158,6 +171,7 @@ void Slices::DrawPolygons(
   const GlProgram& program = this->ProgramOf({ "Slices.vert", "Slices.frag" });
   TextureUnits units(window);
   this->BindWithScene(program, window, units);
+  program.SetUnit("slabRayTexture", units.Attach(this->Rays.GetTexture()));
   program.SetNumbers("slabSeries", static_cast<float>(this->View.Slabs.First),
     static_cast<float>(this->View.Slabs.Spacing));
   this->SetBlending(scene, window);
@@ -171,6 +185,7 @@ void Slices::DrawPolygons(
 void Slices::Draw(const Scene& scene, vtkOpenGLRenderWindow* window, const glm::ivec4& rectangle)
 {
   this->UpdatePolygons(scene, rectangle);
+  this->GetFrameStages().OnDevice("rays", [&] { this->DrawRays(scene, window, rectangle); });
   this->GetFrameStages().OnDevice("drawing", [&] { this->DrawPolygons(scene, window, rectangle); });
 
   const GlProgram& display = this->ProgramOf({ "Viewport.vert", "SlicesDisplay.frag" });
@@ -184,6 +199,7 @@ void Slices::Draw(const Scene& scene, vtkOpenGLRenderWindow* window, const glm::
 void Slices::ReleaseOwn()
 {
   this->Target.Release();
+  this->Rays.Release();
   if (this->CornerBuffer)
   {
     glDeleteBuffers(1, &this->CornerBuffer);
@@ -194,6 +210,7 @@ void Slices::ReleaseOwn()
 void Slices::ForgetOwn()
 {
   this->Target.Forget();
+  this->Rays.Forget();
   this->CornerBuffer = this->CornerArray = 0;
 }
 }

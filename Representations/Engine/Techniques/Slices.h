@@ -21,7 +21,8 @@ protected:
   void ForgetOwn() override;
   std::size_t GetOwnBytes() const override
   {
-    return this->Target.GetBytes() + this->Polygons.GetCorners().size() * sizeof(SliceCorner);
+    return this->Rays.GetBytes() + this->Target.GetBytes() +
+      this->Polygons.GetCorners().size() * sizeof(SliceCorner);
   }
 
   /// Threads that make the polygons.
@@ -30,6 +31,7 @@ protected:
 private:
   void UpdatePolygons(const Scene& scene, const glm::ivec4& rectangle);
   void OrderPolygons(bool backToFront);
+  void DrawRays(const Scene& scene, vtkOpenGLRenderWindow* window, const glm::ivec4& rectangle);
   void DrawPolygons(const Scene& scene, vtkOpenGLRenderWindow* window, const glm::ivec4& rectangle);
   void SetBlending(const Scene& scene, vtkOpenGLRenderWindow* window);
 
@@ -38,6 +40,7 @@ private:
   SlicePolygons Polygons;
   std::vector<int> Firsts; // in drawing order, polygons without corners left out
   std::vector<int> Counts;
+  OffscreenTarget Rays; // what the slabs have in common for each pixel
   OffscreenTarget Target;
   unsigned int CornerBuffer = 0;
   unsigned int CornerArray = 0;
