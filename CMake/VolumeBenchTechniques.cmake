@@ -1,14 +1,24 @@
 # The machinery behind Plugin/Techniques.cmake. A row is
-#   volumebench_technique(<id> CLASS <Class> LABEL "<label in ParaView>")
+#   volumebench_technique(<id> CLASS <Class> LABEL "<label in ParaView>" [SETTINGS <name>...])
 # and gives: the factory entry, the source pair Techniques/<Class>.h/.cxx, the representation type
-# in ParaView's list, its panel, and a case in every image test.
+# in ParaView's list, its panel, and a case in every image test. SETTINGS are the properties that
+# the panel shows for this technique and not for all.
 set(volumebench_technique_ids "")
+set(volumebench_technique_settings WorkGroupShape SliceExtent SliceOrder SliceTarget SliceThreads)
 
 function(volumebench_technique id)
-  cmake_parse_arguments(PARSE_ARGV 1 row "" "CLASS;LABEL" "")
+  cmake_parse_arguments(PARSE_ARGV 1 row "" "CLASS;LABEL" "SETTINGS")
   if(NOT row_CLASS OR NOT row_LABEL OR row_UNPARSED_ARGUMENTS)
-    message(FATAL_ERROR "volumebench_technique(${id}): CLASS and LABEL are needed, nothing else")
+    message(FATAL_ERROR
+      "volumebench_technique(${id}): CLASS and LABEL are needed, nothing else but SETTINGS")
   endif()
+  foreach(setting IN LISTS row_SETTINGS)
+    if(NOT "${setting}" IN_LIST volumebench_technique_settings)
+      list(JOIN volumebench_technique_settings ", " known)
+      message(FATAL_ERROR
+        "volumebench_technique(${id}): there is no setting ${setting}; known are ${known}")
+    endif()
+  endforeach()
   if("${id}" IN_LIST volumebench_technique_ids)
     message(FATAL_ERROR "volumebench_technique(${id}): this technique is listed twice")
   endif()
@@ -16,6 +26,34 @@ function(volumebench_technique id)
   set(volumebench_technique_ids "${volumebench_technique_ids}" PARENT_SCOPE)
   set("volumebench_class_${id}" "${row_CLASS}" PARENT_SCOPE)
   set("volumebench_label_${id}" "${row_LABEL}" PARENT_SCOPE)
+  set("volumebench_settings_${id}" "${row_SETTINGS}" PARENT_SCOPE)
+endfunction()
+
+# Writes the hints that show a property's row only while a technique with that setting is chosen.
+function(volumebench_shown_for setting hints_variable)
+  set(conditions "")
+  foreach(id IN LISTS volumebench_technique_ids)
+    if("${setting}" IN_LIST "volumebench_settings_${id}")
+      string(APPEND conditions
+        "              <PropertyWidgetDecorator type=\"GenericDecorator\" mode=\"visibility\"\n"
+        "                property=\"Representation\" value=\"${volumebench_label_${id}}\" />\n")
+    endif()
+  endforeach()
+  if(NOT conditions)
+    # No technique of this build has the setting; no representation is called so.
+    string(CONCAT conditions
+      "              <PropertyWidgetDecorator type=\"GenericDecorator\" mode=\"visibility\"\n"
+      "                property=\"Representation\" value=\"none\" />\n")
+  endif()
+  string(CONCAT hints
+    "        <Hints>\n"
+    "          <PropertyWidgetDecorator type=\"CompositeDecorator\">\n"
+    "            <Expression type=\"or\">\n"
+    "${conditions}"
+    "            </Expression>\n"
+    "          </PropertyWidgetDecorator>\n"
+    "        </Hints>")
+  set("${hints_variable}" "${hints}" PARENT_SCOPE)
 endfunction()
 
 # Writes the factory table from the rows; its source goes to the variable named `source_variable`.
@@ -46,6 +84,9 @@ function(volumebench_generate_xml template xml_variable)
     string(APPEND REPRESENTATION_DECORATORS
       "                  <PropertyWidgetDecorator type=\"GenericDecorator\" mode=\"visibility\"\n"
       "                    property=\"Representation\" value=\"${label}\" />\n")
+  endforeach()
+  foreach(setting IN LISTS volumebench_technique_settings)
+    volumebench_shown_for("${setting}" "SHOWN_FOR_${setting}")
   endforeach()
   list(JOIN volumebench_technique_ids ", " TECHNIQUE_IDS)
   get_filename_component(name "${template}" NAME_WLE)

@@ -108,7 +108,7 @@ public:
 
   ///@{
   /**
-   * Technique compute: pixels of a work group as "WIDTHxHEIGHT", one of the 21 shapes from 4x1 to
+   * Technique compute: pixels of a work group as "WIDTHxHEIGHT", one of the 18 shapes from 4x1 to
    * 16x8 of Sans & Carmona 2016; or "Auto" (default), which measures a few of them once per class
    * of scene.
    */

@@ -16,11 +16,21 @@
 #include "vtkObjectFactory.h"
 #include "vtkPVLODVolume.h"
 #include "vtkPVRenderView.h"
+#include "vtkPiecewiseFunction.h"
 #include "vtkRenderer.h"
 #include "vtkScalarsToColors.h"
 #include "vtkVolumeProperty.h"
 
+#include <cmath>
+
 vtkStandardNewMacro(vtkVolumeBenchRepresentation);
+
+namespace
+{
+// Of the opacity function's range per voxel: the gradient at which the automatic gradient opacity
+// is full. A boundary between two materials a third of the range apart, three voxels wide, is.
+constexpr double AutomaticGradientShare = 0.1;
+}
 
 vtkVolumeBenchRepresentation::vtkVolumeBenchRepresentation()
 {
@@ -59,9 +69,40 @@ void vtkVolumeBenchRepresentation::SetRaySetUp(int setUp)
   this->GetMapper()->SetRaySetUp(setUp);
 }
 
+void vtkVolumeBenchRepresentation::SetWorkGroupShape(const char* shape)
+{
+  this->GetMapper()->SetWorkGroupShape(shape);
+}
+
+void vtkVolumeBenchRepresentation::SetSliceExtent(int extent)
+{
+  this->GetMapper()->SetSliceExtent(extent);
+}
+
+void vtkVolumeBenchRepresentation::SetSliceOrder(int order)
+{
+  this->GetMapper()->SetSliceOrder(order);
+}
+
+void vtkVolumeBenchRepresentation::SetSliceTarget(int target)
+{
+  this->GetMapper()->SetSliceTarget(target);
+}
+
+void vtkVolumeBenchRepresentation::SetSliceThreads(int threads)
+{
+  this->GetMapper()->SetSliceThreads(threads);
+}
+
+void vtkVolumeBenchRepresentation::SetLightingDamping(double gradient)
+{
+  this->GetMapper()->SetLightingDamping(gradient);
+}
+
 void vtkVolumeBenchRepresentation::UpdateMapperParameters()
 {
   this->Superclass::UpdateMapperParameters();
+  this->VolumeMapper->SetBlendMode(this->TechniqueBlendMode);
   const std::string failure = this->WhyNotDrawn();
   if (!failure.empty())
   {
@@ -85,6 +126,7 @@ void vtkVolumeBenchRepresentation::UpdateMapperParameters()
   {
     this->DrawDefaultArray();
   }
+  this->ForwardGradientOpacity(this->Actor->GetProperty());
 }
 
 // What ParaView's volume prop would pass over in silence before it asks the mapper. Processes that
@@ -107,6 +149,13 @@ std::string vtkVolumeBenchRepresentation::WhyNotDrawn()
   }
   vtkInformation* info = this->GetInputArrayInformation(0);
   const char* name = info ? info->Get(vtkDataObject::FIELD_NAME()) : nullptr;
+  const double* gradients = this->GradientOpacityRange;
+  if (this->GradientOpacity && !(gradients[0] < gradients[1] && gradients[0] >= 0.0) &&
+    !(gradients[0] == 0.0 && gradients[1] == 0.0))
+  {
+    return "the gradient opacity range from " + std::to_string(gradients[0]) + " to " +
+      std::to_string(gradients[1]) + " must rise from 0 or more";
+  }
   try
   {
     volumebench::Centering center = volumebench::Centering::Point;
@@ -191,6 +240,38 @@ void vtkVolumeBenchRepresentation::ForwardVectorMode()
   mapper->SetVectorComponent(component ? color->GetVectorComponent() : 0);
 }
 
+// A property that never had a gradient opacity is left without: asking it for one makes one, and
+// drawing with it costs gradients.
+void vtkVolumeBenchRepresentation::ForwardGradientOpacity(vtkVolumeProperty* property)
+{
+  if (!this->GradientOpacity)
+  {
+    if (property->HasGradientOpacity())
+    {
+      property->SetGradientOpacity(nullptr);
+    }
+    return;
+  }
+  double low = this->GradientOpacityRange[0];
+  double high = this->GradientOpacityRange[1];
+  vtkImageData* image = vtkImageData::SafeDownCast(this->Cache);
+  if (low == 0.0 && high == 0.0 && image)
+  {
+    const double* values = property->GetScalarOpacity()->GetRange();
+    const double* spacing = image->GetSpacing();
+    const double voxel = (std::abs(spacing[0]) + std::abs(spacing[1]) + std::abs(spacing[2])) / 3.0;
+    high = AutomaticGradientShare * (values[1] - values[0]) / voxel;
+  }
+  const double* present = this->GradientFunction->GetRange();
+  if (this->GradientFunction->GetSize() != 2 || present[0] != low || present[1] != high)
+  {
+    this->GradientFunction->RemoveAllPoints();
+    this->GradientFunction->AddPoint(low, 0.0);
+    this->GradientFunction->AddPoint(high, 1.0);
+  }
+  property->SetGradientOpacity(this->GradientFunction);
+}
+
 void vtkVolumeBenchRepresentation::DrawDefaultArray()
 {
   vtkDataSet* data = vtkDataSet::SafeDownCast(this->Cache);
@@ -230,4 +311,8 @@ void vtkVolumeBenchRepresentation::DrawDefaultArray()
 void vtkVolumeBenchRepresentation::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "TechniqueBlendMode: " << this->TechniqueBlendMode << "\n";
+  os << indent << "GradientOpacity: " << this->GradientOpacity << "\n";
+  os << indent << "GradientOpacityRange: " << this->GradientOpacityRange[0] << " "
+     << this->GradientOpacityRange[1] << "\n";
 }

@@ -22,6 +22,7 @@
 #include <string> // for the failure
 
 class vtkDataArray;
+class vtkPiecewiseFunction;
 class vtkRenderer;
 class vtkVolumeBenchMapper;
 
@@ -46,6 +47,28 @@ public:
   void SetStepVoxels(double step);
   void SetTerminationThreshold(double threshold);
   void SetRaySetUp(int setUp);
+  void SetWorkGroupShape(const char* shape);
+  void SetSliceExtent(int extent);
+  void SetSliceOrder(int order);
+  void SetSliceTarget(int target);
+  void SetSliceThreads(int threads);
+  void SetLightingDamping(double gradient);
+  ///@}
+
+  /**
+   * The mapper's blend mode. ParaView's own property goes to SetBlendMode and knows but three
+   * modes, two of which are for its own mapper; this one wins.
+   */
+  vtkSetMacro(TechniqueBlendMode, int);
+
+  ///@{
+  /**
+   * Whether opacity is multiplied by a factor that rises from 0 to 1 over a range of gradient
+   * magnitudes (data values per unit of length). A range of 0 and 0 stands for 0 to a tenth of the
+   * opacity function's range per voxel: that range is the same on every rank, the data's is not.
+   */
+  vtkSetMacro(GradientOpacity, bool);
+  vtkSetVector2Macro(GradientOpacityRange, double);
   ///@}
 
   void SetVisibility(bool visible) override;
@@ -68,7 +91,13 @@ private:
   void RestoreVolumePeeling();
   std::string WhyNotDrawn();
   void ForwardVectorMode();
+  void ForwardGradientOpacity(vtkVolumeProperty* property);
   vtkVolumeBenchMapper* GetMapper();
+
+  int TechniqueBlendMode = 0;
+  bool GradientOpacity = false;
+  double GradientOpacityRange[2] = { 0.0, 0.0 };
+  vtkNew<vtkPiecewiseFunction> GradientFunction;
 
   vtkNew<vtkVolumeProperty> DefaultProperty; // used while no array is chosen
   vtkDataArray* RampedArray = nullptr;       // whose range the default ramp spans; never read

@@ -264,9 +264,9 @@ def check_blend_mode_that_we_lack() -> None:
     color_by(display, view, "RTData")
     look(view)
     good = capture(view)
-    display.BlendMode = 1
+    display.TechniqueBlendMode = 4
     expect_refusal(view, "blend mode", "another blend mode")
-    display.BlendMode = 0
+    display.TechniqueBlendMode = 0
     assert rmse(capture(view), good) == 0, "afterwards it differs"
 
 

@@ -32,6 +32,15 @@ SETTINGS = {
     "RaySetUp": "Box",
     "Shade": 1,
     "ScalarOpacityUnitDistance": 3.0,
+    "TechniqueBlendMode": "Composite",
+    "LightingDamping": 0.25,
+    "GradientOpacity": 1,
+    "GradientOpacityRange": [1.5, 40.0],
+    "WorkGroupShape": "8x4",
+    "SliceExtent": "Central Ray",
+    "SliceOrder": "Back to Front",
+    "SliceTarget": "RGBA16F",
+    "SliceThreads": "4",
 }
 
 

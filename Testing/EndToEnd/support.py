@@ -1,6 +1,7 @@
 """What every end-to-end test shares: plugin, views, float pictures, caught errors, a small runner."""
 
 import os
+import re
 import shutil
 import sys
 import tempfile
@@ -23,6 +24,7 @@ LABEL = os.environ.get("VOLUMEBENCH_LABEL", "Volume Single Pass")
 SIZE = (200, 200)
 REPRESENTATION = "UniformGridRepresentation"
 NOT_DRAWN = "Volume not drawn"
+TECHNIQUE_LIST = Path(__file__).resolve().parents[2] / "Plugin" / "Techniques.cmake"
 
 
 class ErrorLog:
@@ -51,6 +53,13 @@ class ErrorLog:
 
 
 ERRORS = ErrorLog()
+
+
+def technique_labels() -> list[str]:
+    """Return the labels of all our representations, as Plugin/Techniques.cmake lists them."""
+    text = TECHNIQUE_LIST.read_text(encoding="utf-8")
+    rows = r'^\s*volumebench_technique\([^)]*\bLABEL\s+"([^"]+)"'
+    return re.findall(rows, text, re.MULTILINE)
 
 
 def load_plugin(remote: bool = False) -> None:
