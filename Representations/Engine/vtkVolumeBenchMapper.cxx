@@ -1,96 +1,25 @@
 #include "vtkVolumeBenchMapper.h"
 
-#include "Gpu/GlContextGuard.h"
-#include "Scene/SceneBuilder.h"
-#include "Techniques/TechniqueTable.h"
+#include "VolumePainter.h"
 
+#include "vtkBoundingBox.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataSet.h"
 #include "vtkHardwareSelector.h"
+#include "vtkInformation.h"
+#include "vtkMath.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkVolume.h"
-#include "vtkWeakPointer.h"
-
-using volumebench::SceneError;
 
 vtkStandardNewMacro(vtkVolumeBenchMapper);
 
 struct vtkVolumeBenchMapper::Internals
 {
-  volumebench::SceneBuilder Builder;
-  std::string TechniqueId; // of the technique in use
-  std::unique_ptr<volumebench::Technique> Technique;
-  vtkWeakPointer<vtkOpenGLRenderWindow> Window; // whose context holds the GPU objects
+  volumebench::VolumePainter Painter;
   std::string Failure;
   bool Unsupported = false;
-
-  // GPU objects go with the context that made them: deleted while it lives, dropped when it is
-  // gone.
-  void ReleaseGpu()
-  {
-    if (this->Technique)
-    {
-      if (this->Window)
-      {
-        this->Window->MakeCurrent();
-        this->Technique->Release();
-      }
-      else
-      {
-        this->Technique->Forget();
-      }
-    }
-    this->Window = nullptr;
-  }
-
-  void UseTechnique(const std::string& id)
-  {
-    if (this->Technique && id == this->TechniqueId)
-    {
-      return;
-    }
-    const volumebench::TechniqueRow* row = volumebench::FindTechnique(id);
-    if (!row)
-    {
-      throw SceneError(
-        "there is no technique '" + id + "'; known are " + volumebench::TechniqueIds());
-    }
-    this->ReleaseGpu();
-    this->Technique = row->Create();
-    this->TechniqueId = id;
-  }
-
-  void UseWindow(vtkOpenGLRenderWindow* window)
-  {
-    if (this->Window && this->Window != window)
-    {
-      this->ReleaseGpu();
-      window->MakeCurrent();
-    }
-    this->Window = window;
-  }
-
-  void Draw(vtkVolumeBenchMapper* mapper, vtkRenderer* renderer, vtkVolume* volume)
-  {
-    auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-    if (!window)
-    {
-      throw SceneError("the render window is not an OpenGL window");
-    }
-    this->UseTechnique(mapper->GetTechnique());
-    this->UseWindow(window);
-    const std::string reason = this->Technique->WhyUnsupported(window);
-    if (!reason.empty())
-    {
-      throw volumebench::UnsupportedError(
-        "technique '" + this->TechniqueId + "' cannot run here: " + reason);
-    }
-    const volumebench::RenderTarget target{ volumebench::ReadGlViewport(window),
-      volumebench::ReadGlLimits().Texture };
-    const volumebench::Scene scene = this->Builder.Build(mapper, renderer, volume, target);
-    this->Technique->Prepare(scene, window);
-    this->Technique->Render(scene, window);
-  }
 };
 
 vtkVolumeBenchMapper::vtkVolumeBenchMapper()
@@ -100,7 +29,7 @@ vtkVolumeBenchMapper::vtkVolumeBenchMapper()
 
 vtkVolumeBenchMapper::~vtkVolumeBenchMapper()
 {
-  this->Internal->ReleaseGpu();
+  this->Internal->Painter.ReleaseGpu();
 }
 
 void vtkVolumeBenchMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
@@ -114,7 +43,7 @@ void vtkVolumeBenchMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
   this->Internal->Unsupported = false;
   try
   {
-    this->Internal->Draw(this, renderer, volume);
+    this->Internal->Painter.Draw(this, renderer, volume);
   }
   catch (const volumebench::UnsupportedError& error)
   {
@@ -135,9 +64,9 @@ void vtkVolumeBenchMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
 
 void vtkVolumeBenchMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
-  if (window == this->Internal->Window.GetPointer())
+  if (window == this->Internal->Painter.GetWindow())
   {
-    this->Internal->ReleaseGpu();
+    this->Internal->Painter.ReleaseGpu();
   }
 }
 
@@ -166,28 +95,70 @@ std::string Joined(const std::vector<std::string>& words)
 
 std::string vtkVolumeBenchMapper::GetFeatures() const
 {
-  return this->Internal->Technique
-    ? Joined(volumebench::FeatureNames(this->Internal->Technique->GetFeatures(), true))
-    : std::string();
+  const volumebench::VolumePainter& painter = this->Internal->Painter;
+  return painter.HasDrawn() ? Joined(volumebench::FeatureNames(painter.GetFeatures(), true))
+                            : std::string();
 }
 
 std::string vtkVolumeBenchMapper::GetLeftOut() const
 {
-  return this->Internal->Technique
-    ? Joined(volumebench::FeatureNames(this->Internal->Technique->GetFeatures(), false))
-    : std::string();
+  const volumebench::VolumePainter& painter = this->Internal->Painter;
+  return painter.HasDrawn() ? Joined(volumebench::FeatureNames(painter.GetFeatures(), false))
+                            : std::string();
 }
 
 volumebench::SetUpCosts vtkVolumeBenchMapper::GetSetUpCosts() const
 {
-  return this->Internal->Technique ? this->Internal->Technique->GetSetUpCosts()
-                                   : volumebench::SetUpCosts();
+  return this->Internal->Painter.GetSetUpCosts();
 }
 
 std::vector<volumebench::StageTime> vtkVolumeBenchMapper::GetStages() const
 {
-  return this->Internal->Technique ? this->Internal->Technique->GetStages()
-                                   : std::vector<volumebench::StageTime>();
+  return this->Internal->Painter.GetStages();
+}
+
+vtkDataSet* vtkVolumeBenchMapper::GetInput()
+{
+  auto* composite = vtkCompositeDataSet::SafeDownCast(this->GetDataObjectInput());
+  if (!composite)
+  {
+    return this->Superclass::GetInput();
+  }
+  const std::vector<vtkDataSet*> blocks = vtkCompositeDataSet::GetDataSets(composite);
+  return blocks.empty() ? nullptr : blocks.front();
+}
+
+double* vtkVolumeBenchMapper::GetBounds()
+{
+  auto* composite = vtkCompositeDataSet::SafeDownCast(this->GetDataObjectInput());
+  if (!composite)
+  {
+    return this->Superclass::GetBounds();
+  }
+  this->Update();
+  vtkBoundingBox box;
+  for (vtkDataSet* block : vtkCompositeDataSet::GetDataSets(composite))
+  {
+    double bounds[6];
+    block->GetBounds(bounds);
+    box.AddBounds(bounds);
+  }
+  vtkMath::UninitializeBounds(this->Bounds);
+  if (box.IsValid())
+  {
+    box.GetBounds(this->Bounds);
+  }
+  return this->Bounds;
+}
+
+int vtkVolumeBenchMapper::FillInputPortInformation(int port, vtkInformation* information)
+{
+  if (!this->Superclass::FillInputPortInformation(port, information))
+  {
+    return 0;
+  }
+  information->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  return 1;
 }
 
 void vtkVolumeBenchMapper::PrintSelf(ostream& os, vtkIndent indent)

@@ -2,10 +2,12 @@
  * @class   vtkVolumeBenchMapper
  * @brief   a volume mapper that draws with one of VolumeBench's techniques
  *
- * Takes vtkImageData (and vtkUniformGrid) with point or cell scalars of any numeric type. At each
- * render it builds the Scene, lets the chosen technique prepare what changed and draw, and blends
- * premultiplied colour over the bound framebuffer. What cannot be drawn honestly is not drawn: the
- * mapper says why in one vtkErrorMacro line, once per cause, and in GetFailure().
+ * Takes vtkImageData (and vtkUniformGrid) with point or cell scalars of any numeric type, or a
+ * composite data set of such blocks, which must not overlap: blocks are drawn back to front, share
+ * one range of values and are blended. At each render it builds the Scene, lets the chosen
+ * technique prepare what changed and draw, and blends premultiplied colour over the bound
+ * framebuffer. What cannot be drawn honestly is not drawn: the mapper says why in one vtkErrorMacro
+ * line, once per cause, and in GetFailure().
  *
  * The physics (emission and absorption, opacity per unit distance turned into extinction) is
  * described in Shaders/Shared/Integrate.h.
@@ -59,8 +61,8 @@ public:
   ///@{
   /**
    * 0: Left, sampled where a step begins (first order); 1: Midpoint (second order, default); 3:
-   * PreIntegrated, each step taken from a table over the values at its two ends (Engel et al. 2001).
-   * Matters for the blend modes Composite and Gradient.
+   * PreIntegrated, each step taken from a table over the values at its two ends (Engel et al.
+   * 2001). Matters for the blend modes Composite and Gradient.
    */
   vtkSetMacro(Integrator, int);
   vtkGetMacro(Integrator, int);
@@ -187,6 +189,16 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
   /**
+   * The image, or the first block of a composite input: who asks for it, as ParaView's volume prop
+   * does, wants to know whether there is something to draw.
+   */
+  using Superclass::GetInput;
+  vtkDataSet* GetInput() override;
+
+  using Superclass::GetBounds;
+  double* GetBounds() override;
+
+  /**
    * Why the last render drew nothing; empty when it drew.
    */
   const std::string& GetFailure() const;
@@ -217,6 +229,8 @@ public:
 protected:
   vtkVolumeBenchMapper();
   ~vtkVolumeBenchMapper() override;
+
+  int FillInputPortInformation(int port, vtkInformation* information) override;
 
   std::string Technique = "single-pass";
   int Integrator = 1;

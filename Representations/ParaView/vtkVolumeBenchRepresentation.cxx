@@ -1,6 +1,8 @@
 #include "vtkVolumeBenchRepresentation.h"
 
+#include "BlockCopies.h"
 #include "Scene/ArraySelection.h"
+#include "Scene/Blocks.h"
 #include "Scene/DefaultTransferFunction.h"
 #include "Scene/Scene.h"
 #include "vtkVolumeBenchMapper.h"
@@ -8,20 +10,22 @@
 #include "vtkColorTransferFunction.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
-#include "vtkDataSet.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationRequestKey.h"
-#include "vtkMultiProcessController.h"
+#include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
+#include "vtkOutlineSource.h"
 #include "vtkPVLODVolume.h"
 #include "vtkPVRenderView.h"
+#include "vtkPartitionedDataSet.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkRenderer.h"
 #include "vtkScalarsToColors.h"
 #include "vtkVolumeProperty.h"
 
 #include <cmath>
+#include <vector>
 
 vtkStandardNewMacro(vtkVolumeBenchRepresentation);
 
@@ -129,26 +133,10 @@ void vtkVolumeBenchRepresentation::UpdateMapperParameters()
   this->ForwardGradientOpacity(this->Actor->GetProperty());
 }
 
-// What ParaView's volume prop would pass over in silence before it asks the mapper. Processes that
-// hold no data, as clients and some ranks do, have nothing to say.
+// What ParaView's volume prop would pass over in silence before it asks the mapper, and what no
+// mapper knows. Processes that hold no data, as clients and some ranks do, have nothing to say.
 std::string vtkVolumeBenchRepresentation::WhyNotDrawn()
 {
-  vtkDataObject* input =
-    this->GetNumberOfInputConnections(0) > 0 ? this->GetInputDataObject(0, 0) : nullptr;
-  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
-  const bool alone = !controller || controller->GetNumberOfProcesses() < 2;
-  if (vtkCompositeDataSet::SafeDownCast(input))
-  {
-    return std::string("a ") + input->GetClassName() +
-      " of several blocks cannot be drawn: only one block of image data can";
-  }
-  vtkImageData* image = vtkImageData::SafeDownCast(this->Cache);
-  if (!image || (image->GetNumberOfPoints() < 1 && !alone))
-  {
-    return {};
-  }
-  vtkInformation* info = this->GetInputArrayInformation(0);
-  const char* name = info ? info->Get(vtkDataObject::FIELD_NAME()) : nullptr;
   const double* gradients = this->GradientOpacityRange;
   if (this->GradientOpacity && !(gradients[0] < gradients[1] && gradients[0] >= 0.0) &&
     !(gradients[0] == 0.0 && gradients[1] == 0.0))
@@ -156,28 +144,119 @@ std::string vtkVolumeBenchRepresentation::WhyNotDrawn()
     return "the gradient opacity range from " + std::to_string(gradients[0]) + " to " +
       std::to_string(gradients[1]) + " must rise from 0 or more";
   }
+  const bool empty = !this->Cache || this->Cache->GetNumberOfElements(vtkDataObject::POINT) < 1;
+  if (!this->Cache || (empty && !volumebench::IsAlone()))
+  {
+    return {};
+  }
   try
   {
-    volumebench::Centering center = volumebench::Centering::Point;
-    if (image->GetNumberOfPoints() < 1)
+    for (const volumebench::Block& block : volumebench::BlocksOf(this->Cache))
     {
-      throw volumebench::SceneError("the image is empty");
-    }
-    if (name && *name)
-    {
-      volumebench::SelectArray(
-        image, { this->VolumeMapper->GetScalarMode(), VTK_GET_ARRAY_BY_NAME, -1, name });
-    }
-    else if (!volumebench::FirstArray(image, center))
-    {
-      throw volumebench::SceneError("the image has no scalars to draw");
+      this->CheckArray(block);
     }
   }
   catch (const volumebench::SceneError& error)
   {
     return error.what();
   }
+  return this->WhyRanksDoNotBlend();
+}
+
+void vtkVolumeBenchRepresentation::CheckArray(const volumebench::Block& block)
+{
+  vtkInformation* info = this->GetInputArrayInformation(0);
+  const char* name = info ? info->Get(vtkDataObject::FIELD_NAME()) : nullptr;
+  const std::string where = block.Name.empty() ? "" : "in block " + block.Name + ", ";
+  volumebench::Centering center = volumebench::Centering::Point;
+  if (block.Image->GetNumberOfPoints() < 1)
+  {
+    throw volumebench::SceneError("the image is empty");
+  }
+  if ((!name || !*name) && !volumebench::FirstArray(block.Image, center))
+  {
+    throw volumebench::SceneError(where + "the image has no scalars to draw");
+  }
+  if (name && *name)
+  {
+    try
+    {
+      volumebench::SelectArray(
+        block.Image, { this->VolumeMapper->GetScalarMode(), VTK_GET_ARRAY_BY_NAME, -1, name });
+    }
+    catch (const volumebench::SceneError& error)
+    {
+      throw volumebench::SceneError(where + error.what());
+    }
+  }
+}
+
+std::string vtkVolumeBenchRepresentation::WhyRanksDoNotBlend()
+{
+  if (this->Ranks.Overlap)
+  {
+    return "the blocks of different ranks interleave, so ParaView cannot blend the ranks' pictures "
+           "in order: give each rank blocks that fill a box of their own";
+  }
+  const bool overEachOther = this->TechniqueBlendMode == vtkVolumeMapper::COMPOSITE_BLEND ||
+    this->TechniqueBlendMode == vtkVolumeBenchMapper::GRADIENT_BLEND;
+  if (this->Ranks.WithData > 1 && !overEachOther)
+  {
+    return "the data are spread over " + std::to_string(this->Ranks.WithData) +
+      " ranks, whose pictures ParaView blends as Composite: other blend modes need all on one rank";
+  }
   return {};
+}
+
+int vtkVolumeBenchRepresentation::FillInputPortInformation(int port, vtkInformation* information)
+{
+  if (!this->Superclass::FillInputPortInformation(port, information))
+  {
+    return 0;
+  }
+  information->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  return 1;
+}
+
+int vtkVolumeBenchRepresentation::RequestData(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  int done = 0;
+  if (auto* composite = vtkCompositeDataSet::GetData(inputs[0], 0))
+  {
+    this->KeepBlocks(composite);
+    // The superclass's own takes composite data for its own mapper only.
+    done = this->vtkVolumeRepresentation::RequestData(request, inputs, outputs);
+  }
+  else
+  {
+    done = this->Superclass::RequestData(request, inputs, outputs);
+  }
+  this->Ranks = {};
+  if (inputs[0]->GetNumberOfInformationObjects() == 1 && !volumebench::IsAlone())
+  {
+    this->Ranks = volumebench::CompareRanks(this->DataBounds);
+  }
+  return done;
+}
+
+void vtkVolumeBenchRepresentation::KeepBlocks(vtkCompositeDataSet* input)
+{
+  auto blocks = volumebench::CopyBlocks(input);
+  if (this->UseSeparateOpacityArray)
+  {
+    for (vtkImageData* image : volumebench::ImagesOf(blocks))
+    {
+      this->AppendOpacityComponent(image);
+    }
+  }
+  this->Actor->SetEnableLOD(0);
+  this->VolumeMapper->SetInputDataObject(blocks);
+  blocks->GetBounds(this->DataBounds);
+  this->OutlineSource->SetBounds(this->DataBounds);
+  this->OutlineSource->Update();
+  this->DataSize = blocks->GetActualMemorySize();
+  this->Cache = blocks;
 }
 
 int vtkVolumeBenchRepresentation::ProcessViewRequest(
@@ -254,11 +333,11 @@ void vtkVolumeBenchRepresentation::ForwardGradientOpacity(vtkVolumeProperty* pro
   }
   double low = this->GradientOpacityRange[0];
   double high = this->GradientOpacityRange[1];
-  vtkImageData* image = vtkImageData::SafeDownCast(this->Cache);
-  if (low == 0.0 && high == 0.0 && image)
+  const std::vector<vtkImageData*> images = volumebench::ImagesOf(this->Cache);
+  if (low == 0.0 && high == 0.0 && !images.empty())
   {
     const double* values = property->GetScalarOpacity()->GetRange();
-    const double* spacing = image->GetSpacing();
+    const double* spacing = images.front()->GetSpacing();
     const double voxel = (std::abs(spacing[0]) + std::abs(spacing[1]) + std::abs(spacing[2])) / 3.0;
     high = AutomaticGradientShare * (values[1] - values[0]) / voxel;
   }
@@ -274,21 +353,22 @@ void vtkVolumeBenchRepresentation::ForwardGradientOpacity(vtkVolumeProperty* pro
 
 void vtkVolumeBenchRepresentation::DrawDefaultArray()
 {
-  vtkDataSet* data = vtkDataSet::SafeDownCast(this->Cache);
+  const std::vector<vtkImageData*> images = volumebench::ImagesOf(this->Cache);
   volumebench::Centering center = volumebench::Centering::Point;
-  vtkDataArray* array = data ? volumebench::FirstArray(data, center) : nullptr;
+  vtkDataArray* array = images.empty() ? nullptr : volumebench::FirstArray(images.front(), center);
   this->Actor->SetVisibility(array != nullptr);
   if (!array)
   {
     return; // a process without data
   }
-  if (array != this->RampedArray || array->GetMTime() != this->RampTime)
+  const std::string name = array->GetName();
+  if (this->Cache != this->RampedData || this->Cache->GetMTime() != this->RampTime)
   {
     double range[2];
-    array->GetFiniteRange(range, array->GetNumberOfComponents() > 1 ? -1 : 0);
+    volumebench::FiniteRangeOf(images, name, center, range);
     volumebench::FillDefaultTransferFunction(this->DefaultProperty, range);
-    this->RampedArray = array;
-    this->RampTime = array->GetMTime();
+    this->RampedData = this->Cache;
+    this->RampTime = this->Cache->GetMTime();
   }
   vtkVolumeProperty* settings = this->Property;
   this->DefaultProperty->SetShade(settings->GetShade());
@@ -301,7 +381,7 @@ void vtkVolumeBenchRepresentation::DrawDefaultArray()
   this->Actor->SetProperty(this->DefaultProperty);
 
   vtkVolumeBenchMapper* mapper = this->GetMapper();
-  mapper->SelectScalarArray(array->GetName());
+  mapper->SelectScalarArray(name.c_str());
   mapper->SetScalarMode(center == volumebench::Centering::Point
       ? VTK_SCALAR_MODE_USE_POINT_FIELD_DATA
       : VTK_SCALAR_MODE_USE_CELL_FIELD_DATA);

@@ -6,6 +6,9 @@
  * the user picks its label. Data delivery, ordered compositing, cropping and lighting settings are
  * the superclass's; this class puts our mapper in its place and forwards our own settings.
  *
+ * A composite input is kept as a list of image blocks, which the mapper draws in order. Ranks are
+ * put together by ParaView in the order of the boxes round their data, so those must not overlap.
+ *
  * When no array is chosen to colour by, the first point array (else cell array) is drawn with a
  * ramp over its range, since ParaView picks one by itself only for its own "Volume".
  *
@@ -15,13 +18,19 @@
 #ifndef vtkVolumeBenchRepresentation_h
 #define vtkVolumeBenchRepresentation_h
 
+#include "RankBoxes.h"                        // for a member
 #include "VolumeBenchRepresentationsModule.h" // for the export macro
 #include "vtkImageVolumeRepresentation.h"
 #include "vtkWeakPointer.h" // for the renderer
 
 #include <string> // for the failure
 
-class vtkDataArray;
+namespace volumebench
+{
+struct Block;
+}
+
+class vtkCompositeDataSet;
 class vtkPiecewiseFunction;
 class vtkRenderer;
 class vtkVolumeBenchMapper;
@@ -79,6 +88,9 @@ protected:
   vtkVolumeBenchRepresentation();
   ~vtkVolumeBenchRepresentation() override;
 
+  int FillInputPortInformation(int port, vtkInformation* information) override;
+  int RequestData(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
   void UpdateMapperParameters() override;
   bool RemoveFromView(vtkView* view) override;
 
@@ -86,10 +98,13 @@ private:
   vtkVolumeBenchRepresentation(const vtkVolumeBenchRepresentation&) = delete;
   void operator=(const vtkVolumeBenchRepresentation&) = delete;
 
+  void KeepBlocks(vtkCompositeDataSet* input);
   void DrawDefaultArray();
   void SwitchVolumePeelingOff(vtkRenderer* renderer);
   void RestoreVolumePeeling();
   std::string WhyNotDrawn();
+  void CheckArray(const volumebench::Block& block);
+  std::string WhyRanksDoNotBlend();
   void ForwardVectorMode();
   void ForwardGradientOpacity(vtkVolumeProperty* property);
   vtkVolumeBenchMapper* GetMapper();
@@ -100,8 +115,9 @@ private:
   vtkNew<vtkPiecewiseFunction> GradientFunction;
 
   vtkNew<vtkVolumeProperty> DefaultProperty; // used while no array is chosen
-  vtkDataArray* RampedArray = nullptr;       // whose range the default ramp spans; never read
+  vtkDataObject* RampedData = nullptr;       // whose range the default ramp spans; never read
   vtkMTimeType RampTime = 0;
+  volumebench::RankBoxes Ranks;
   std::string Failure;                  // said once, not at every render
   vtkWeakPointer<vtkRenderer> Unpeeled; // whose volume peeling was on and is off for us
 };

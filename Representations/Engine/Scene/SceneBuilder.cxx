@@ -23,22 +23,6 @@ namespace volumebench
 {
 namespace
 {
-vtkImageData* ImageOf(vtkVolumeBenchMapper* mapper)
-{
-  vtkDataSet* input = mapper->GetDataSetInput();
-  if (!input)
-  {
-    throw SceneError("the mapper has no input");
-  }
-  vtkImageData* image = vtkImageData::SafeDownCast(input);
-  if (!image)
-  {
-    throw SceneError(std::string("a ") + input->GetClassName() +
-      " cannot be drawn: only image data (uniform grids) can");
-  }
-  return image;
-}
-
 ChannelRequest ChannelsOf(vtkVolumeBenchMapper* mapper, vtkVolumeProperty* property)
 {
   const bool magnitude = mapper->GetVectorMode() == vtkVolumeBenchMapper::Magnitude;
@@ -210,6 +194,8 @@ void SceneBuilder::BuildFunction(vtkVolumeProperty* property, Scene& scene, int 
   ChangeStamp stamp = property->GetMTime();
   ExtendStamp(stamp, scene.Volume.Stamp);
   ExtendStamp(stamp, segments ? length : 0.0);
+  ExtendStamp(stamp, scene.Volume.FiniteRange[0]);
+  ExtendStamp(stamp, scene.Volume.FiniteRange[1]);
   if (stamp != this->FunctionStamp)
   {
     this->FunctionStamp = 0;
@@ -231,20 +217,35 @@ void SceneBuilder::BuildFunction(vtkVolumeProperty* property, Scene& scene, int 
   scene.TransferFunction = this->Function;
 }
 
+Volume SceneBuilder::BuildVolume(
+  vtkVolumeBenchMapper* mapper, vtkVolume* volume, vtkImageData* image)
+{
+  const ArrayRequest request{ mapper->GetScalarMode(), mapper->GetArrayAccessMode(),
+    mapper->GetArrayId(), mapper->GetArrayName() };
+  vtkVolumeProperty* property = volume->GetProperty();
+  const bool nearest = property->GetInterpolationType() == VTK_NEAREST_INTERPOLATION;
+  return this->Volumes.Build(
+    image, request, ChannelsOf(mapper, property), nearest, volume->GetMatrix());
+}
+
+ScalarRange SceneBuilder::RangeOf(
+  vtkVolumeBenchMapper* mapper, vtkVolume* volume, vtkImageData* image)
+{
+  const Volume built = this->BuildVolume(mapper, volume, image);
+  return { built.FiniteRange[0], built.FiniteRange[1] };
+}
+
 Scene SceneBuilder::Build(vtkVolumeBenchMapper* mapper, vtkRenderer* renderer, vtkVolume* volume,
-  const RenderTarget& target)
+  vtkImageData* image, const ScalarRange& range, const RenderTarget& target)
 {
   Scene scene;
-  vtkImageData* image = ImageOf(mapper);
   vtkVolumeProperty* property = volume->GetProperty();
   scene.Sampling = BuildSampling(mapper);
   scene.Compositing.Mode = BlendModeOf(mapper);
   scene.Measurement = { mapper->GetCountSamples(), mapper->GetTimeStages() };
-  const ArrayRequest request{ mapper->GetScalarMode(), mapper->GetArrayAccessMode(),
-    mapper->GetArrayId(), mapper->GetArrayName() };
-  const bool nearest = property->GetInterpolationType() == VTK_NEAREST_INTERPOLATION;
-  scene.Volume =
-    this->Volumes.Build(image, request, ChannelsOf(mapper, property), nearest, volume->GetMatrix());
+  scene.Volume = this->BuildVolume(mapper, volume, image);
+  scene.Volume.FiniteRange[0] = range.Low;
+  scene.Volume.FiniteRange[1] = range.High;
   RefuseUnsupported(scene, mapper, property);
   this->BuildFunction(property, scene, target.LargestTable);
   scene.Camera = BuildCamera(renderer, target.Viewport);

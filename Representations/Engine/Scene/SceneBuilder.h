@@ -8,6 +8,7 @@
 #include "Scene/Scene.h"
 #include "Scene/VolumeBuilder.h"
 
+class vtkImageData;
 class vtkRenderer;
 class vtkVolume;
 class vtkVolumeBenchMapper;
@@ -22,15 +23,27 @@ struct RenderTarget
   int LargestTable = 0;     // entries of the longest table that the device takes
 };
 
+struct ScalarRange
+{
+  double Low = 0.0;
+  double High = 0.0;
+};
+
 class VOLUMEBENCHENGINE_EXPORT SceneBuilder
 {
 public:
-  /// Throws SceneError for input that cannot be drawn.
+  /// The scene of one image of the mapper's input. `range` is what colours and gradients are
+  /// relative to: that of all images that are drawn together. Throws SceneError for input that
+  /// cannot be drawn.
   Scene Build(vtkVolumeBenchMapper* mapper, vtkRenderer* renderer, vtkVolume* volume,
-    const RenderTarget& target);
+    vtkImageData* image, const ScalarRange& range, const RenderTarget& target);
+
+  /// Range of the finite values that Build would draw of the image; throws as Build does.
+  ScalarRange RangeOf(vtkVolumeBenchMapper* mapper, vtkVolume* volume, vtkImageData* image);
 
 private:
   void BuildFunction(vtkVolumeProperty* property, Scene& scene, int largestTable);
+  Volume BuildVolume(vtkVolumeBenchMapper* mapper, vtkVolume* volume, vtkImageData* image);
 
   VolumeBuilder Volumes;
   TransferFunction Function; // kept while its sources are unchanged

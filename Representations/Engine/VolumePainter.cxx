@@ -1,0 +1,230 @@
+#include "VolumePainter.h"
+
+#include "Gpu/GlContextGuard.h"
+#include "Scene/CameraBuilder.h"
+#include "Scene/FromVtk.h"
+#include "Techniques/TechniqueTable.h"
+#include "vtkVolumeBenchMapper.h"
+
+#include "vtkImageData.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkVolume.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace volumebench
+{
+namespace
+{
+// Says which block an error is about.
+template <typename Action>
+auto InBlock(const std::string& name, const Action& action)
+{
+  try
+  {
+    return action();
+  }
+  catch (const UnsupportedError&)
+  {
+    throw;
+  }
+  catch (const SceneError& error)
+  {
+    throw SceneError(name.empty() ? error.what() : "in block " + name + ", " + error.what());
+  }
+}
+
+// A pixel's maximum, minimum or mean over several blocks is not one picture over another.
+void RefuseBlendingOfBlocks(vtkVolumeBenchMapper* mapper, std::size_t blocks)
+{
+  const int mode = mapper->GetBlendMode();
+  if (blocks > 1 && mode != vtkVolumeMapper::COMPOSITE_BLEND &&
+    mode != vtkVolumeBenchMapper::GRADIENT_BLEND)
+  {
+    throw SceneError("the input has " + std::to_string(blocks) +
+      " blocks; only the blend modes Composite and Gradient can be drawn block by block");
+  }
+}
+
+// NaN stands for a step that a technique does not have.
+void AddKnown(double& sum, double value)
+{
+  if (!std::isnan(value))
+  {
+    sum = std::isnan(sum) ? value : sum + value;
+  }
+}
+}
+
+void VolumePainter::ReleaseGpu()
+{
+  if (this->Window && !this->Parts.empty())
+  {
+    this->Window->MakeCurrent();
+  }
+  for (const std::unique_ptr<Part>& part : this->Parts)
+  {
+    if (this->Window)
+    {
+      part->Technique->Release();
+    }
+    else
+    {
+      part->Technique->Forget();
+    }
+  }
+  this->Window = nullptr;
+}
+
+vtkOpenGLRenderWindow* VolumePainter::GetWindow() const
+{
+  return this->Window;
+}
+
+void VolumePainter::UseTechnique(const std::string& id)
+{
+  if (!this->Parts.empty() && id == this->TechniqueId)
+  {
+    return;
+  }
+  if (!FindTechnique(id))
+  {
+    throw SceneError("there is no technique '" + id + "'; known are " + TechniqueIds());
+  }
+  this->ReleaseGpu();
+  this->Parts.clear();
+  this->TechniqueId = id;
+}
+
+void VolumePainter::UseWindow(vtkRenderer* renderer)
+{
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  if (!window)
+  {
+    throw SceneError("the render window is not an OpenGL window");
+  }
+  if (this->Window && this->Window != window)
+  {
+    this->ReleaseGpu();
+    window->MakeCurrent();
+  }
+  this->Window = window;
+}
+
+void VolumePainter::UseBlocks(const std::vector<Block>& blocks)
+{
+  while (this->Parts.size() > blocks.size())
+  {
+    this->Parts.back()->Technique->Release();
+    this->Parts.pop_back();
+  }
+  while (this->Parts.size() < blocks.size())
+  {
+    auto part = std::make_unique<Part>();
+    part->Technique = FindTechnique(this->TechniqueId)->Create();
+    this->Parts.push_back(std::move(part));
+  }
+  for (std::size_t i = 0; i < blocks.size(); ++i)
+  {
+    this->Parts[i]->Name = blocks[i].Name;
+  }
+}
+
+std::vector<VolumePainter::PartScene> VolumePainter::ScenesBackToFront(
+  vtkVolumeBenchMapper* mapper, vtkRenderer* renderer, vtkVolume* volume)
+{
+  const std::vector<Block> blocks = BlocksOf(mapper->GetDataObjectInput());
+  RefuseBlendingOfBlocks(mapper, blocks.size());
+  this->UseBlocks(blocks);
+  const std::string reason = this->Parts.front()->Technique->WhyUnsupported(this->Window);
+  if (!reason.empty())
+  {
+    throw UnsupportedError("technique '" + this->TechniqueId + "' cannot run here: " + reason);
+  }
+  ScalarRange range{ HUGE_VAL, -HUGE_VAL };
+  for (std::size_t i = 0; i < blocks.size(); ++i)
+  {
+    const ScalarRange own = InBlock(blocks[i].Name,
+      [&] { return this->Parts[i]->Builder.RangeOf(mapper, volume, blocks[i].Image); });
+    range = { std::min(range.Low, own.Low), std::max(range.High, own.High) };
+  }
+  const RenderTarget target{ ReadGlViewport(this->Window), ReadGlLimits().Texture };
+  const Camera camera = BuildCamera(renderer, target.Viewport);
+  std::vector<PartScene> scenes;
+  for (const std::size_t i : BackToFront(blocks, camera, FromVtk(volume->GetMatrix())))
+  {
+    Part* part = this->Parts[i].get();
+    scenes.push_back({ part,
+      InBlock(part->Name,
+        [&] {
+          return part->Builder.Build(mapper, renderer, volume, blocks[i].Image, range, target);
+        }) });
+  }
+  return scenes;
+}
+
+void VolumePainter::Draw(vtkVolumeBenchMapper* mapper, vtkRenderer* renderer, vtkVolume* volume)
+{
+  this->UseTechnique(mapper->GetTechnique());
+  this->UseWindow(renderer);
+  const std::vector<PartScene> scenes = this->ScenesBackToFront(mapper, renderer, volume);
+  // All blocks are ready before the first is drawn, so that a failure leaves no part of a picture.
+  for (const PartScene& scene : scenes)
+  {
+    InBlock(scene.Drawn->Name, [&] { scene.Drawn->Technique->Prepare(scene.Scene, this->Window); });
+  }
+  for (const PartScene& scene : scenes)
+  {
+    InBlock(scene.Drawn->Name, [&] { scene.Drawn->Technique->Render(scene.Scene, this->Window); });
+  }
+}
+
+FeatureSet VolumePainter::GetFeatures() const
+{
+  FeatureSet features;
+  for (const std::unique_ptr<Part>& part : this->Parts)
+  {
+    features |= part->Technique->GetFeatures();
+  }
+  return features;
+}
+
+SetUpCosts VolumePainter::GetSetUpCosts() const
+{
+  SetUpCosts sum;
+  for (const std::unique_ptr<Part>& part : this->Parts)
+  {
+    const SetUpCosts costs = part->Technique->GetSetUpCosts();
+    AddKnown(sum.UploadMs, costs.UploadMs);
+    AddKnown(sum.TablesMs, costs.TablesMs);
+    AddKnown(sum.GridMs, costs.GridMs);
+    AddKnown(sum.CompileMs, costs.CompileMs);
+    sum.BytesOnDevice += costs.BytesOnDevice;
+  }
+  return sum;
+}
+
+std::vector<StageTime> VolumePainter::GetStages() const
+{
+  std::vector<StageTime> sums;
+  for (const std::unique_ptr<Part>& part : this->Parts)
+  {
+    for (const StageTime& stage : part->Technique->GetStages())
+    {
+      const auto same = std::find_if(sums.begin(), sums.end(),
+        [&stage](const StageTime& sum) { return sum.Name == stage.Name; });
+      if (same == sums.end())
+      {
+        sums.push_back(stage);
+      }
+      else
+      {
+        same->Ms += stage.Ms;
+      }
+    }
+  }
+  return sums;
+}
+}

@@ -1,0 +1,68 @@
+// Draws all blocks of a mapper's input over each other, each by an instance of the same technique.
+#ifndef volumebench_VolumePainter_h
+#define volumebench_VolumePainter_h
+
+#include "Scene/Blocks.h"
+#include "Scene/SceneBuilder.h"
+#include "Techniques/Technique.h"
+
+#include "vtkWeakPointer.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+class vtkOpenGLRenderWindow;
+class vtkRenderer;
+class vtkVolume;
+class vtkVolumeBenchMapper;
+
+namespace volumebench
+{
+class VolumePainter
+{
+public:
+  /// Blends the picture over the bound framebuffer. Throws SceneError, UnsupportedError or
+  /// KernelError.
+  void Draw(vtkVolumeBenchMapper* mapper, vtkRenderer* renderer, vtkVolume* volume);
+
+  /// GPU objects go with the context that made them: deleted while it lives, dropped when it is
+  /// gone.
+  void ReleaseGpu();
+  vtkOpenGLRenderWindow* GetWindow() const;
+
+  ///@{
+  /// Of the last picture, over all its blocks: features that any used, and sums of what they cost.
+  bool HasDrawn() const { return !this->Parts.empty(); }
+  FeatureSet GetFeatures() const;
+  SetUpCosts GetSetUpCosts() const;
+  std::vector<StageTime> GetStages() const;
+  ///@}
+
+private:
+  struct Part
+  {
+    SceneBuilder Builder;
+    std::unique_ptr<volumebench::Technique> Technique;
+    std::string Name; // of the block, for messages
+  };
+
+  struct PartScene
+  {
+    Part* Drawn;
+    volumebench::Scene Scene;
+  };
+
+  void UseTechnique(const std::string& id);
+  void UseWindow(vtkRenderer* renderer);
+  void UseBlocks(const std::vector<Block>& blocks);
+  std::vector<PartScene> ScenesBackToFront(
+    vtkVolumeBenchMapper* mapper, vtkRenderer* renderer, vtkVolume* volume);
+
+  std::string TechniqueId;                      // of the technique in use
+  std::vector<std::unique_ptr<Part>> Parts;     // one for each block
+  vtkWeakPointer<vtkOpenGLRenderWindow> Window; // whose context holds the GPU objects
+};
+}
+
+#endif
