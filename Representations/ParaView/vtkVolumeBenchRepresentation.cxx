@@ -137,17 +137,17 @@ void vtkVolumeBenchRepresentation::UpdateMapperParameters()
 // mapper knows. Processes that hold no data, as clients and some ranks do, have nothing to say.
 std::string vtkVolumeBenchRepresentation::WhyNotDrawn()
 {
+  const bool empty = !this->Cache || this->Cache->GetNumberOfElements(vtkDataObject::POINT) < 1;
+  if (this->GetNumberOfInputConnections(0) < 1 || (empty && !volumebench::IsAlone()))
+  {
+    return {};
+  }
   const double* gradients = this->GradientOpacityRange;
   if (this->GradientOpacity && !(gradients[0] < gradients[1] && gradients[0] >= 0.0) &&
     !(gradients[0] == 0.0 && gradients[1] == 0.0))
   {
     return "the gradient opacity range from " + std::to_string(gradients[0]) + " to " +
       std::to_string(gradients[1]) + " must rise from 0 or more";
-  }
-  const bool empty = !this->Cache || this->Cache->GetNumberOfElements(vtkDataObject::POINT) < 1;
-  if (!this->Cache || (empty && !volumebench::IsAlone()))
-  {
-    return {};
   }
   try
   {

@@ -11,14 +11,18 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from paraview import simple
+from paraview import servermanager, simple
 from support import (
     SIZE,
+    blob,
     check_close,
     color_by,
+    eighths,
+    image_data,
     load_plugin,
     look,
     new_view,
+    producer,
     read_png,
     run_checks,
     set_functions,
@@ -27,14 +31,14 @@ from support import (
     wavelet,
 )
 from vtkmodules.util.numpy_support import numpy_to_vtk
-from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPartitionedDataSet
 from vtkmodules.vtkIOImage import vtkNIFTIImageReader
 from vtkmodules.vtkIOXML import vtkXMLImageDataWriter
 
 MRI_FILE = Path("/usr/share/mricron/templates/ch2.nii.gz")
 MRI_SIZE = (181, 217, 181)
 SAME_PICTURE = 0.01
-SCENES = ("wavelet", "volume")
+SCENES = ("wavelet", "blocks", "volume")
 MPI = ["mpirun", "--allow-run-as-root", "--oversubscribe", "-np", "2"]
 
 
@@ -69,6 +73,42 @@ def check_client_and_two_servers() -> None:
         compare(folder, "client and two servers")
 
 
+def check_two_ranks_that_cannot_be_blended() -> None:
+    command = [*MPI, shutil.which("pvbatch"), "--sym", __file__]
+    for mode, cause in (
+        ("interleaved", "different ranks interleave"),
+        ("maximum", "spread over 2 ranks"),
+    ):
+        done = start([*command, mode])
+        assert done.returncode == 0, f"{mode}: {done.stdout}{done.stderr}"
+        lines = [line for line in done.stderr.splitlines() if "ERR|" in line]
+        assert len(lines) == 2, f"{mode}: {len(lines)} errors: {lines}"
+        assert all(cause in line for line in lines), f"{mode}: {lines}"
+
+
+def refused(mode: str) -> None:
+    """The other process: show what two ranks cannot draw together, and see nothing."""
+    load_plugin()
+    view = new_view()
+    display = show(interleaved_blocks() if mode == "interleaved" else wavelet(), view)
+    color_by(display, view, "values" if mode == "interleaved" else "RTData")
+    display.TechniqueBlendMode = "Maximum" if mode == "maximum" else "Composite"
+    look(view)
+    simple.Render(view)
+    simple.Render(view)
+
+
+def interleaved_blocks() -> Any:
+    """Return four blocks in a row, of which each rank has every other."""
+    rank = servermanager.vtkProcessModule.GetProcessModule().GetPartitionId()
+    data = vtkPartitionedDataSet()
+    for number, place in enumerate((rank, rank + 2)):
+        block = image_data(blob(8), "values")
+        block.SetOrigin(0, 0, 7 * place)
+        data.SetPartition(number, block)
+    return producer(data)
+
+
 def compare(folder: Path, what: str) -> None:
     """Check the pictures that another process left against ours, seam by seam."""
     for name in SCENES:
@@ -88,8 +128,10 @@ def draw(name: str, folder: Path, path: Path, remote: bool) -> None:
     view = new_view()
     if remote:
         view.RemoteRenderThreshold = 0
-    if name == "wavelet":
+    if name in ("wavelet", "blocks"):
         source, array = wavelet(), "RTData"
+        if name == "blocks":
+            source = simple.OpenDataFile(str(folder / "blocks.vtm"))
         colors = [37.0, 0.1, 0.2, 0.9, 150.0, 0.9, 0.8, 0.2, 277.0, 1.0, 0.3, 0.1]
         opacity = [(37, 0.0), (130, 0.2), (160, 0.02), (277, 0.5)]
     else:
@@ -138,6 +180,7 @@ def write_volume(folder: Path) -> None:
         image = reader.GetOutput()
     else:
         image = generated_volume()
+    write_blocks(folder)
     image.GetPointData().GetScalars().SetName("scalars")
     writer = vtkXMLImageDataWriter()
     writer.SetFileName(str(folder / "volume.vti"))
@@ -146,6 +189,13 @@ def write_volume(folder: Path) -> None:
     # Appended data cannot be read back with the expat of Debian 12's security updates.
     writer.SetDataModeToBinary()
     writer.Write()
+
+
+def write_blocks(folder: Path) -> None:
+    """Write the wavelet in eight blocks, the lower four first: ranks read consecutive ones."""
+    blocks = simple.GroupDatasets(Input=eighths(wavelet()))
+    simple.SaveData(str(folder / "blocks.vtm"), proxy=blocks, DataMode="Binary")
+    simple.ResetSession()
 
 
 def generated_volume() -> vtkImageData:
@@ -166,10 +216,14 @@ def first_environment() -> dict[str, str]:
     return dict(line.split("=", 1) for line in lines if "=" in line)
 
 
-def run(command: list[str]) -> None:
-    done = subprocess.run(
+def start(command: list[str]) -> subprocess.CompletedProcess:
+    return subprocess.run(
         command, capture_output=True, text=True, timeout=120, env=first_environment()
     )
+
+
+def run(command: list[str]) -> None:
+    done = start(command)
     assert done.returncode == 0, f"{command}: {done.stdout}{done.stderr}"
     assert "ERR|" not in done.stderr, done.stderr
 
@@ -210,5 +264,7 @@ def wait_for(ready: Any, process: subprocess.Popen) -> None:
 if __name__ == "__main__":
     if sys.argv[1:2] == ["scenes"]:
         scenes(Path(sys.argv[2]), int(sys.argv[3]) if len(sys.argv) > 3 else None)
+    elif sys.argv[1:2] in (["interleaved"], ["maximum"]):
+        refused(sys.argv[1])
     else:
         run_checks(dict(globals()))

@@ -1,5 +1,6 @@
 """What every end-to-end test shares: plugin, views, float pictures, caught errors, a small runner."""
 
+import itertools
 import os
 import re
 import shutil
@@ -177,6 +178,17 @@ def not_drawn(messages: Sequence[str]) -> list[str]:
 def wavelet(half: int = 10) -> Any:
     """Return ParaView's analytic source: float point data RTData."""
     return simple.Wavelet(WholeExtent=[-half, half] * 3)
+
+
+def eighths(source: Any, half: int = 10) -> list[Any]:
+    """Return the eight parts of a wavelet, which share their faces; the lower four first."""
+    sides = ((-half, 0), (0, half))
+    parts = []
+    for z, y, x in itertools.product(sides, sides, sides):
+        part = simple.ExtractSubset(Input=source)
+        part.VOI = [*x, *y, *z]
+        parts.append(part)
+    return parts
 
 
 def image_data(
