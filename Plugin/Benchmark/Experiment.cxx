@@ -1,6 +1,7 @@
 #include "Experiment.h"
 
 #include "Contestant.h"
+#include "JsonText.h"
 #include "Names.h"
 #include "Run.h"
 #include "Stage.h"
@@ -236,8 +237,8 @@ private:
         run.Result.Error = CompareImages(run.Pictures, references);
         run.Result.ErrorWidth = references.front().Width;
         run.Result.ErrorHeight = references.front().Height;
-        run.Result.Reference = std::string(ReferenceTechnique) + " Midpoint " +
-          std::to_string(this->Settings.ReferenceStepVoxels) + " voxels";
+        run.Result.Reference = std::string(ReferenceTechnique) + " Midpoint step " +
+          JsonNumber(this->Settings.ReferenceStepVoxels);
         run.Result.ReferenceUncertainty = uncertainty;
       }
       run.Pictures.clear();

@@ -30,6 +30,9 @@ from .summary import (
 from .tables import Table, setting_tables, stage_table
 from .techniques import REFERENCE_TECHNIQUE, TECHNIQUES
 
+UNEQUAL = (
+    "<p><small>* not at equal error: no run was as accurate as the peer's</small></p>"
+)
 _CONTEXT_TITLES = {
     "date": "Date (UTC)",
     "host": "Host",
@@ -115,35 +118,41 @@ def _line_table(shown: list[Line], with_scene: bool) -> str:
     titles = ["Path", "Technique", "Sampling"]
     figures = ["ms (quartiles)", "GPU ms", "FPS", "Msamples", "Msamples/s"]
     figures += ["RMSE", "99.9 %", "Speed-up"]
-    if with_scene:
-        titles.insert(0, "Scene")
     head = "".join(f"<th>{title}</th>" for title in titles)
     head += "".join(f'<th class="n">{title}</th>' for title in figures)
     rows = []
     previous = None
     for line in shown:
-        scene = line.record.run().scene.title()
-        cells = [escape(scene if scene != previous else "")] if with_scene else []
-        rule = ' class="rule"' if with_scene and scene != previous else ""
+        scene = line.record.run().scene
+        if with_scene and scene != previous:
+            inside = in_scene([item.record for item in shown], scene)
+            rows.append(_scene_row(scene, inside, len(titles) + len(figures)))
         previous = scene
-        rows.append(f"<tr{rule}>{_cells(cells, line)}</tr>")
+        rows.append(f"<tr>{_cells(line)}</tr>")
+    unequal = any(line.speed_up() and not line.matched for line in shown)
     return (
         f'<div class="wide"><table><thead><tr>{head}</tr></thead>'
         f'<tbody>{"".join(rows)}</tbody></table></div>'
+        f"{UNEQUAL if unequal else ''}"
     )
 
 
-def _cells(cells: list[str], line: Line) -> str:
+def _scene_row(scene: Scene, records: list[Record], columns: int) -> str:
+    remarks = "; ".join(scene_remarks(records))
+    return (
+        f'<tr><th class="scene" colspan="{columns}">{escape(scene.title())} '
+        f"<small>{escape(remarks)}</small></th></tr>"
+    )
+
+
+def _cells(line: Line) -> str:
     record = line.record
     speed_up = line.speed_up()
     factor = ""
     if speed_up:
         factor = f"{speed_up:.1f}&times;"
-        factor = (
-            f"<b>{factor}</b>" if line.matched else f"{factor} (not at equal error)"
-        )
+        factor = f"<b>{factor}</b>" if line.matched else f"{factor} *"
     texts = [
-        *cells,
         record.path,
         escape(TECHNIQUES[record.technique].title),
         escape(sampling_text(record)),

@@ -19,10 +19,10 @@ table { border-collapse: collapse; width: 100%; font-size: 13.5px; }
 th { text-align: left; font-weight: 600; color: #4a505c; white-space: nowrap; }
 th, td { padding: 5px 10px 5px 0; border-bottom: 1px solid #edeff2; vertical-align: top; }
 td.n, th.n { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; }
-tr.rule td { border-top: 2px solid #d5d9e0; }
+th.scene { color: #1f2430; border-top: 2px solid #d5d9e0; padding-top: 10px; }
 img.plot { display: block; max-width: 100%; margin: 12px auto; }
-.pictures { display: grid; grid-template-columns: repeat(auto-fit, minmax(220px, 340px));
-  gap: 14px; margin: 14px 0; align-items: start; justify-content: center; }
+.pictures { display: grid; grid-template-columns: repeat(auto-fill, minmax(190px, 1fr));
+  gap: 14px; margin: 14px 0; align-items: start; }
 figure { margin: 0; }
 figure img { width: 100%; display: block; border-radius: 4px; background: #000; }
 figcaption { margin: 5px 0 10px; line-height: 1.4; }

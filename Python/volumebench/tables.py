@@ -21,6 +21,7 @@ from .summary import (
     stage_split,
     standard_rows,
 )
+from .technique_settings import value_text
 from .techniques import TECHNIQUES
 
 
@@ -80,7 +81,7 @@ def _setting_table(rows: list[Record]) -> Table:
     stage_titles = tuple(f"{name} ms" for name in stages)
     cells = tuple(
         (
-            *(str(row.settings[name]) for name in names),
+            *(value_text(name, row.settings[name]) for name in names),
             number(row.fps, ".1f"),
             number(row.frame_ms.median, ".1f"),
             *(number((row.stages_ms or {}).get(name), ".2f") for name in stages),

@@ -63,8 +63,14 @@ def variant_text(technique: str, settings: Settings) -> str:
     return "; ".join([technique, *(f"{name}={value}" for name, value in settings)])
 
 
+def value_text(name: str, value: Any) -> str:
+    """Return a value for readers: 0 threads are as many as pay."""
+    return "auto" if name == "slice_threads" and value == 0 else str(value)
+
+
 def settings_text(settings: dict[str, Any]) -> str:
     """Return settings for readers: "slice threads 4, slice target RGBA8"."""
     return ", ".join(
-        f"{name.replace('_', ' ')} {value}" for name, value in settings.items()
+        f"{name.replace('_', ' ')} {value_text(name, value)}"
+        for name, value in settings.items()
     )

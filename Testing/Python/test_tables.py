@@ -48,6 +48,10 @@ def threaded(count, frame_ms, **values):
     )
 
 
+def text_tables_of_first(record):
+    return as_text(technique_table([record], SCENE))
+
+
 @pytest.fixture
 def records():
     return [
@@ -79,6 +83,12 @@ def test_settings_that_vary_have_a_table(records):
     )
     assert table.rows[0] == ("4", "22.2", "45.0", "5.00", "40.00", "5.00", "-")
     assert table.rows[1][0] == "1" and table.rows[1][-1] == "1.00"
+
+
+def test_as_many_threads_as_pay_are_called_auto(records):
+    (table,) = setting_tables([threaded(0, 40.0), *records])
+    assert table.rows[0][0] == "auto"
+    assert "slice threads auto" in text_tables_of_first(threaded(0, 40.0))
 
 
 def test_one_row_of_settings_needs_no_table(records):
