@@ -178,8 +178,8 @@ void PackTable(const Scene& scene, SceneBlock64& block)
   const double low = mapping.Normalize(function.Low);
   const double high = mapping.Normalize(function.High);
   block.classification = { TableCoordinates(low, high, size),
-    TableCoordinates(
-      colorMapping.Normalize(function.Low), colorMapping.Normalize(function.High), size) };
+    TableCoordinates(colorMapping.Normalize(function.ColorLow),
+      colorMapping.Normalize(function.ColorHigh), size) };
   block.segments = { TableCoordinates(low, high, std::max(1, function.SegmentSize)), 0.0, 0.0 };
 }
 

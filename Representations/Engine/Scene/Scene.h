@@ -83,12 +83,15 @@ struct Volume
   bool HasBlanks() const { return this->HasNonFinite || this->PointGhosts || this->CellGhosts; }
 };
 
-/// Entries (red, green, blue, extinction per data unit), equally spaced from Low to High.
+/// Entries (red, green, blue, extinction per data unit), equally spaced: extinctions from Low to
+/// High, colours from ColorLow to ColorHigh, which differ when a component of its own gives them.
 struct TransferFunction
 {
   std::vector<glm::vec4> Table;
   double Low = 0.0;
   double High = 1.0;
+  double ColorLow = 0.0;
+  double ColorHigh = 1.0;
   double UnitDistance = 1.0; // data units over which the opacities are given
 
   /// For PreIntegrated: SegmentSize x SegmentSize entries over (front, back) from Low to High; row

@@ -200,11 +200,8 @@ void SceneBuilder::BuildFunction(vtkVolumeProperty* property, Scene& scene, int 
   {
     this->FunctionStamp = 0;
     const Volume& volume = scene.Volume;
-    const bool two = volume.Channels == 2;
-    const double range[2] = { two ? std::min(volume.FiniteRange[0], volume.ColorRange[0])
-                                  : volume.FiniteRange[0],
-      two ? std::max(volume.FiniteRange[1], volume.ColorRange[1]) : volume.FiniteRange[1] };
-    this->Function = BuildTransferFunction(property, range, largestTable);
+    this->Function = BuildTransferFunction(property, volume.FiniteRange, largestTable,
+      volume.Channels == 2 ? volume.ColorRange : nullptr);
     if (segments)
     {
       this->Function.SegmentSize = SegmentSize;

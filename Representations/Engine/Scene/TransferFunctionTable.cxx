@@ -27,21 +27,32 @@ struct Functions
       (this->Color ? this->Color->GetClamping() != 0 : this->Gray->GetClamping() != 0);
   }
 
-  std::set<double> Knots() const
+  std::set<double> OpacityKnots() const { return KnotsOf(this->Opacity); }
+
+  std::set<double> ColorKnots() const
   {
+    if (!this->Color)
+    {
+      return KnotsOf(this->Gray);
+    }
     std::set<double> knots;
     double node[6];
-    for (vtkPiecewiseFunction* function : { this->Opacity, this->Gray })
-    {
-      for (int i = 0; function && i < function->GetSize(); ++i)
-      {
-        function->GetNodeValue(i, node);
-        knots.insert(node[0]);
-      }
-    }
-    for (int i = 0; this->Color && i < this->Color->GetSize(); ++i)
+    for (int i = 0; i < this->Color->GetSize(); ++i)
     {
       this->Color->GetNodeValue(i, node);
+      knots.insert(node[0]);
+    }
+    return knots;
+  }
+
+private:
+  static std::set<double> KnotsOf(vtkPiecewiseFunction* function)
+  {
+    std::set<double> knots;
+    double node[4];
+    for (int i = 0; i < function->GetSize(); ++i)
+    {
+      function->GetNodeValue(i, node);
       knots.insert(node[0]);
     }
     return knots;
@@ -71,22 +82,21 @@ Functions FunctionsOf(vtkVolumeProperty* property)
   return functions;
 }
 
-// The domain of the table: where the functions change, but no further than the data reach.
-void ChooseDomain(
-  const std::set<double>& knots, bool clamping, const double dataRange[2], TransferFunction& result)
+struct Domain
 {
-  result.Low = dataRange[0];
-  result.High = dataRange[1];
+  double Low;
+  double High;
+};
+
+// The domain of a table: where the functions change, but no further than the data reach.
+Domain ChooseDomain(const std::set<double>& knots, bool clamping, const double dataRange[2])
+{
   const double low = std::max(dataRange[0], *knots.begin());
   const double high = std::min(dataRange[1], *knots.rbegin());
-  if (clamping && low < high)
-  {
-    result.Low = low;
-    result.High = high;
-  }
+  return clamping && low < high ? Domain{ low, high } : Domain{ dataRange[0], dataRange[1] };
 }
 
-int ChooseSize(const std::set<double>& knots, const TransferFunction& domain, int largestSize)
+int ChooseSize(const std::set<double>& knots, const Domain& domain, int largestSize)
 {
   double closest = domain.High - domain.Low;
   double previous = domain.Low;
@@ -103,6 +113,28 @@ int ChooseSize(const std::set<double>& knots, const TransferFunction& domain, in
   return static_cast<int>(std::min(std::max<double>(SmallestSize, wanted), upper));
 }
 
+// Chooses the domains of opacity and colour; returns the size of the table.
+int ChooseDomains(const Functions& functions, const double range[2], const double* colorRange,
+  int largestSize, TransferFunction& result)
+{
+  std::set<double> opacityKnots = functions.OpacityKnots();
+  std::set<double> colorKnots = functions.ColorKnots();
+  if (!colorRange)
+  {
+    opacityKnots.insert(colorKnots.begin(), colorKnots.end());
+    colorKnots = opacityKnots;
+  }
+  const bool clamping = functions.Clamping();
+  const Domain opacity = ChooseDomain(opacityKnots, clamping, range);
+  const Domain color = ChooseDomain(colorKnots, clamping, colorRange ? colorRange : range);
+  result.Low = opacity.Low;
+  result.High = opacity.High;
+  result.ColorLow = color.Low;
+  result.ColorHigh = color.High;
+  return std::max(
+    ChooseSize(opacityKnots, opacity, largestSize), ChooseSize(colorKnots, color, largestSize));
+}
+
 void Fill(const Functions& functions, double unitDistance, int size, TransferFunction& result)
 {
   std::vector<double> opacity(size);
@@ -110,12 +142,12 @@ void Fill(const Functions& functions, double unitDistance, int size, TransferFun
   functions.Opacity->GetTable(result.Low, result.High, size, opacity.data());
   if (functions.Color)
   {
-    functions.Color->GetTable(result.Low, result.High, size, color.data());
+    functions.Color->GetTable(result.ColorLow, result.ColorHigh, size, color.data());
   }
   else
   {
     std::vector<double> gray(size);
-    functions.Gray->GetTable(result.Low, result.High, size, gray.data());
+    functions.Gray->GetTable(result.ColorLow, result.ColorHigh, size, gray.data());
     for (int i = 0; i < size; ++i)
     {
       std::fill_n(color.data() + std::ptrdiff_t(3) * i, 3, gray[i]);
@@ -170,7 +202,7 @@ double ExtinctionOfOpacity(double opacity, double unitDistance)
 }
 
 TransferFunction BuildTransferFunction(
-  vtkVolumeProperty* property, const double dataRange[2], int largestSize)
+  vtkVolumeProperty* property, const double dataRange[2], int largestSize, const double* colorRange)
 {
   const double unitDistance = property->GetScalarOpacityUnitDistance(0);
   if (!(unitDistance > 0.0) || !std::isfinite(unitDistance))
@@ -179,10 +211,9 @@ TransferFunction BuildTransferFunction(
       "the scalar opacity unit distance is " + std::to_string(unitDistance) + ", not positive");
   }
   const Functions functions = FunctionsOf(property);
-  const std::set<double> knots = functions.Knots();
   TransferFunction result;
-  ChooseDomain(knots, functions.Clamping(), dataRange, result);
-  Fill(functions, unitDistance, ChooseSize(knots, result, largestSize), result);
+  const int size = ChooseDomains(functions, dataRange, colorRange, largestSize, result);
+  Fill(functions, unitDistance, size, result);
 
   result.UnitDistance = unitDistance;
   FillGradientTable(property, result);
@@ -193,6 +224,8 @@ TransferFunction BuildTransferFunction(
   ExtendStamp(result.Stamp, unitDistance);
   ExtendStamp(result.Stamp, dataRange[0]);
   ExtendStamp(result.Stamp, dataRange[1]);
+  ExtendStamp(result.Stamp, result.ColorLow);
+  ExtendStamp(result.Stamp, result.ColorHigh);
   return result;
 }
 }

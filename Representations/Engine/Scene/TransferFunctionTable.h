@@ -16,10 +16,12 @@ VOLUMEBENCHENGINE_EXPORT double ExtinctionOfOpacity(double opacity, double unitD
 /// Samples the functions of component 0 over the part of `dataRange` in which they change; values
 /// outside that part take the value at its ends. The table is as fine as the closest two knots
 /// ask for, between 1024 and `largestSize` entries.
+/// `colorRange` is that of the component that gives the colour, if that is another: a table over
+/// both ranges would have no entries to spare for the shorter. Null: colour goes by `dataRange`.
 /// The gradient opacity, if the property has one, becomes a table of its own.
 /// Throws SceneError when a function is empty or the unit distance is not positive.
-VOLUMEBENCHENGINE_EXPORT TransferFunction BuildTransferFunction(
-  vtkVolumeProperty* property, const double dataRange[2], int largestSize);
+VOLUMEBENCHENGINE_EXPORT TransferFunction BuildTransferFunction(vtkVolumeProperty* property,
+  const double dataRange[2], int largestSize, const double* colorRange = nullptr);
 }
 
 #endif
