@@ -5,10 +5,18 @@
 // (second order, and exact for any transfer function along a linear field); Etiene et al., TVCG
 // 2014, give the orders.
 
-// The field at an end of a step; only pre-integration needs it.
+// Whether the extreme of a step is that of its two ends, which finds the ends of the ray exactly
+// and extremes between to second order. Next to hidden parts the middle speaks for the step.
+#if (WITH_MAXIMUM_BLEND || WITH_MINIMUM_BLEND) && !WITH_BLANKING && !WITH_CROP_REGIONS
+#define EXTREME_OF_ENDS 1
+#else
+#define EXTREME_OF_ENDS 0
+#endif
+
+// The field at an end of a step, for what needs it.
 FUNC real endValue(SCENE_PARAM Ray ray, real along)
 {
-#if WITH_PREINTEGRATED
+#if WITH_PREINTEGRATED || EXTREME_OF_ENDS
   return fieldAt(SCENE texturePositionOf(ray, along));
 #else
   return REAL(0.0);
@@ -24,7 +32,16 @@ FUNC real samplePoint(real stepBegin, real width)
 #endif
 }
 
-#if WITH_MAXIMUM_BLEND || WITH_MINIMUM_BLEND || WITH_AVERAGE_BLEND
+#if EXTREME_OF_ENDS
+FUNC vec4 contributionOf(SCENE_PARAM Ray ray, real stepBegin, real width, real front, real back)
+{
+#if WITH_MAXIMUM_BLEND
+  return valueContribution(max(front, back), width);
+#else
+  return valueContribution(min(front, back), width);
+#endif
+}
+#elif WITH_MAXIMUM_BLEND || WITH_MINIMUM_BLEND || WITH_AVERAGE_BLEND
 FUNC vec4 contributionOf(SCENE_PARAM Ray ray, real stepBegin, real width, real front, real back)
 {
   real along = samplePoint(stepBegin, width);

@@ -25,7 +25,7 @@ vtkSmartPointer<vtkVolumeProperty> ShadedProperty()
 ConformanceScene ShadedScene(const std::string& name, std::function<void(RenderScene&)> arrange)
 {
   // The gradient of trilinear data jumps at every voxel, and with it the light.
-  ConformanceScene scene = HillsScene(name, 0.5, std::move(arrange));
+  ConformanceScene scene = HillsScene(name, 0.25, std::move(arrange));
   scene.Property = ShadedProperty;
   return scene;
 }

@@ -32,7 +32,7 @@ struct Mode
 // The extreme along a ray lies between two samples: finer steps find it more closely.
 constexpr Mode Modes[] = { { "composite", vtkVolumeMapper::COMPOSITE_BLEND, 0.5, 0.25 },
   { "maximum", vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND, 0.25, 0.8 },
-  { "minimum", vtkVolumeMapper::MINIMUM_INTENSITY_BLEND, 0.25, 4.0 },
+  { "minimum", vtkVolumeMapper::MINIMUM_INTENSITY_BLEND, 0.25, 1.5 },
   { "average", vtkVolumeMapper::AVERAGE_INTENSITY_BLEND, 0.5, 1.0 },
   { "gradient", vtkVolumeBenchMapper::GRADIENT_BLEND, 0.5, 1.0 } };
 

@@ -44,6 +44,7 @@ using real = KERNEL_REAL;
 #undef SCENE_BLOCK_END
 #undef LIGHT_LIMIT
 #undef CLIP_PLANE_LIMIT
+#undef EXTREME_OF_ENDS
 
 // Every feature of Scene/Features.cxx; the Kernels tests notice one that is missing here.
 #undef WITH_MIDPOINT
