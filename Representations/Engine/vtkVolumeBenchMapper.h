@@ -110,8 +110,8 @@ public:
 
   ///@{
   /**
-   * Technique compute: pixels of a work group as "WIDTHxHEIGHT", one of the 18 shapes from 4x1 to
-   * 16x8 of Sans & Carmona 2016; or "Auto" (default), which measures a few of them once per class
+   * Technique compute: pixels of a work group as "WIDTHxHEIGHT", one of the 20 shapes from 4x1 to
+   * 32x16 of Sans & Carmona 2016; or "Auto" (default), which measures a few of them once per class
    * of scene.
    */
   vtkSetStdStringFromCharMacro(WorkGroupShape);

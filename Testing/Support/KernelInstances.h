@@ -1,5 +1,5 @@
-// The instances of the shared kernel text that the analytic tests run: both integrators in float
-// and double, with and without early termination.
+// The instances of the shared kernel text that the analytic tests run: the integrators in float and
+// double, and in double whatever else has a closed form, one feature at a time.
 #ifndef volumebench_KernelInstances_h
 #define volumebench_KernelInstances_h
 
@@ -31,6 +31,75 @@
 #define KERNEL_REAL double
 #define WITH_CROP 1
 #define WITH_OPAQUE_DEPTH 1
+#include "KernelInstance.h"
+
+#define KERNEL_NAMESPACE preintegrated64
+#define KERNEL_REAL double
+#define WITH_MIDPOINT 1
+#define WITH_PREINTEGRATED 1
+#include "KernelInstance.h"
+
+#define KERNEL_NAMESPACE maximum64
+#define KERNEL_REAL double
+#define WITH_MIDPOINT 1
+#define WITH_MAXIMUM_BLEND 1
+#define WITH_TERMINATION 1
+#include "KernelInstance.h"
+
+#define KERNEL_NAMESPACE minimum64
+#define KERNEL_REAL double
+#define WITH_MIDPOINT 1
+#define WITH_MINIMUM_BLEND 1
+#define WITH_TERMINATION 1
+#include "KernelInstance.h"
+
+#define KERNEL_NAMESPACE average64
+#define KERNEL_REAL double
+#define WITH_MIDPOINT 1
+#define WITH_AVERAGE_BLEND 1
+#include "KernelInstance.h"
+
+#define KERNEL_NAMESPACE gradient64
+#define KERNEL_REAL double
+#define WITH_MIDPOINT 1
+#define WITH_GRADIENT_BLEND 1
+#include "KernelInstance.h"
+
+#define KERNEL_NAMESPACE gradientOpacity64
+#define KERNEL_REAL double
+#define WITH_MIDPOINT 1
+#define WITH_GRADIENT_OPACITY 1
+#include "KernelInstance.h"
+
+#define KERNEL_NAMESPACE blanking64
+#define KERNEL_REAL double
+#define WITH_MIDPOINT 1
+#define WITH_BLANKING 1
+#include "KernelInstance.h"
+
+#define KERNEL_NAMESPACE blankingMaximum64
+#define KERNEL_REAL double
+#define WITH_MIDPOINT 1
+#define WITH_BLANKING 1
+#define WITH_MAXIMUM_BLEND 1
+#include "KernelInstance.h"
+
+#define KERNEL_NAMESPACE cropRegions64
+#define KERNEL_REAL double
+#define WITH_MIDPOINT 1
+#define WITH_CROP_REGIONS 1
+#include "KernelInstance.h"
+
+#define KERNEL_NAMESPACE clipPlanes64
+#define KERNEL_REAL double
+#define WITH_CLIP_PLANES 1
+#include "KernelInstance.h"
+
+#define KERNEL_NAMESPACE counting64
+#define KERNEL_REAL double
+#define WITH_MIDPOINT 1
+#define WITH_TERMINATION 1
+#define WITH_SAMPLE_COUNT 1
 #include "KernelInstance.h"
 
 #endif

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <set>
 
 using namespace volumebench;
@@ -48,4 +49,61 @@ TEST(Features, EveryDefineIsSetToZeroOrOne)
   EXPECT_NE(text.find("#define WITH_CROP 0\n"), std::string::npos);
   EXPECT_EQ(FeatureNames(features, true), std::vector<std::string>{ "lighting" });
   EXPECT_EQ(FeatureNames(features, false).size(), FeatureTable().size() - 1);
+}
+
+namespace
+{
+// The features of a scene beyond those of a plain one.
+std::vector<std::string> NamesOf(const std::function<void(Scene&)>& change)
+{
+  Scene scene;
+  scene.Sampling.Integration = Integrator::Left;
+  scene.Sampling.SetUp = RaySetUp::Box;
+  change(scene);
+  return FeatureNames(FeaturesNeededBy(scene), true);
+}
+
+using Names = std::vector<std::string>;
+}
+
+TEST(Features, ProjectionsLeaveOutWhatOnlyCompositingNeeds)
+{
+  const auto everything = [](Scene& scene)
+  {
+    scene.Sampling.Integration = Integrator::PreIntegrated;
+    scene.Sampling.TerminationThreshold = 0.01;
+    scene.Lighting.Enabled = true;
+    scene.TransferFunction.GradientTable = { 0.0f, 1.0f };
+  };
+  const auto with = [&](BlendMode mode)
+  {
+    return NamesOf(
+      [&](Scene& scene)
+      {
+        everything(scene);
+        scene.Compositing.Mode = mode;
+      });
+  };
+  const Names composite{ "midpoint", "pre-integrated", "termination", "lighting",
+    "gradient-opacity" };
+  EXPECT_EQ(with(BlendMode::Composite), composite);
+  EXPECT_EQ(with(BlendMode::Maximum), (Names{ "midpoint", "termination", "maximum" }));
+  EXPECT_EQ(with(BlendMode::Minimum), (Names{ "midpoint", "termination", "minimum" }));
+  EXPECT_EQ(with(BlendMode::Average), (Names{ "midpoint", "average" }));
+  Names gradient = composite;
+  gradient.emplace_back("gradient");
+  EXPECT_EQ(with(BlendMode::Gradient), gradient);
+}
+
+TEST(Features, HiddenPartsAndChannels)
+{
+  EXPECT_EQ(NamesOf([](Scene& s) { s.Volume.HasNonFinite = true; }), Names{ "blanking" });
+  EXPECT_EQ(
+    NamesOf([](Scene& s) { s.Volume.CellGhosts = vtkSmartPointer<vtkUnsignedCharArray>::New(); }),
+    Names{ "blanking" });
+  EXPECT_EQ(NamesOf([](Scene& s) { s.Volume.Channels = 2; }), Names{ "opacity-channel" });
+  EXPECT_EQ(NamesOf([](Scene& s) { s.Volume.Channels = 4; }), Names{ "direct-color" });
+  EXPECT_EQ(NamesOf([](Scene& s) { s.Clip.CropRegionFlags = 1u << 26; }), Names{ "crop-regions" });
+  EXPECT_EQ(NamesOf([](Scene& s) { s.Clip.Planes.emplace_back(0.0); }), Names{ "clip-planes" });
+  EXPECT_EQ(NamesOf([](Scene& s) { s.Measurement.CountSamples = true; }), Names{ "sample-count" });
 }

@@ -154,3 +154,114 @@ TEST(PackScene, ScreenRectangleHoldsTheBox)
   inside.Camera.WorldToView = glm::translate(glm::dmat4(1.0), glm::dvec3(-7.0, 3.0, -2.0));
   EXPECT_EQ(ScreenRectangle(inside), inside.Camera.Viewport);
 }
+
+TEST(PackScene, ClipPlanesAreVoxelDistances)
+{
+  Scene scene = MakeScene(false);
+  const glm::dvec3 normal(0.3, -2.0, 1.1);
+  const glm::dvec3 origin(6.0, -2.0, 4.0);
+  scene.Clip.Planes.emplace_back(normal, -glm::dot(normal, origin));
+  const SceneBlock64 block = PackScene(scene);
+  EXPECT_EQ(block.clipPlaneCount.x, 1.0);
+  EXPECT_NEAR(glm::length(glm::dvec3(block.clipPlane[0])), 1.0, 1e-12);
+  for (const glm::dvec3 voxel : { glm::dvec3(0.0), glm::dvec3(3.0, -8.0, 11.0) })
+  {
+    const glm::dvec3 world(scene.Volume.VoxelToWorld * glm::dvec4(voxel, 1.0));
+    const double packed = glm::dot(block.clipPlane[0], glm::dvec4(voxel, 1.0));
+    const double expected = glm::dot(normal, world - origin);
+    EXPECT_GT(packed * expected, 0.0);
+    // The same plane, in another unit: both vanish together.
+    const glm::dvec3 step = voxel - packed * glm::dvec3(block.clipPlane[0]);
+    const glm::dvec3 onPlane(scene.Volume.VoxelToWorld * glm::dvec4(step, 1.0));
+    EXPECT_NEAR(glm::dot(normal, onPlane - origin), 0.0, 1e-9);
+  }
+}
+
+TEST(PackScene, ClipPlaneWithoutANormalKeepsAllOrNothing)
+{
+  Scene scene = MakeScene(false);
+  scene.Clip.Planes = { glm::dvec4(0.0, 0.0, 0.0, -1.0) };
+  EXPECT_EQ(PackScene(scene).clipPlane[0], glm::dvec4(0.0, 0.0, 0.0, -1.0));
+}
+
+TEST(PackScene, CropRegionFlagsComeInTwoNumbers)
+{
+  Scene scene = MakeScene(false);
+  scene.Clip.CropRegionFlags = (1u << 27) - 1u;
+  const SceneBlock64 block = PackScene(scene);
+  EXPECT_EQ(block.cropRegions.x, 16383.0);
+  EXPECT_EQ(block.cropRegions.y, 8191.0);
+}
+
+TEST(PackScene, ExtremesAreThoseOfTheDataOrOfTheTable)
+{
+  Scene scene = MakeScene(false);
+  scene.Volume.Mapping = { 0.0, 50.0 }; // stored 0 to 1: values 0 to 100
+  scene.Volume.FiniteRange[0] = 20.0;
+  scene.Volume.FiniteRange[1] = 60.0;
+  scene.TransferFunction.Low = 0.0;
+  scene.TransferFunction.High = 100.0;
+  SceneBlock64 block = PackScene(scene);
+  EXPECT_NEAR(block.extremes.x, 0.2, 1e-5);
+  EXPECT_NEAR(block.extremes.y, 0.6, 1e-5);
+  EXPECT_NEAR(block.extremes.z, 1.0 / 0.4, 1e-9);
+  EXPECT_GT(block.extremes.x, 0.2) << "rounding must not keep a ray from stopping";
+  EXPECT_LT(block.extremes.y, 0.6);
+  scene.TransferFunction.Low = 30.0;
+  scene.TransferFunction.High = 40.0;
+  block = PackScene(scene);
+  EXPECT_NEAR(block.extremes.x, 0.3, 1e-5);
+  EXPECT_NEAR(block.extremes.y, 0.4, 1e-5);
+  scene.Volume.FiniteRange[1] = 20.0; // constant: no share of nothing
+  EXPECT_EQ(PackScene(scene).extremes.z, 0.0);
+}
+
+TEST(PackScene, GradientRowsGiveTheMagnitudeInDataUnits)
+{
+  Scene scene = MakeScene(false);
+  scene.Volume.VoxelToData = glm::rotate(glm::dmat4(1.0), 0.4, glm::dvec3(0.0, 1.0, 1.0)) *
+    glm::scale(glm::dmat4(1.0), glm::dvec3(2.0, 0.5, 4.0));
+  scene.Volume.Mapping = { 7.0, 50.0 };
+  scene.TransferFunction.GradientTable.resize(100);
+  scene.TransferFunction.GradientLow = 1.0;
+  scene.TransferFunction.GradientHigh = 21.0;
+  const SceneBlock64 block = PackScene(scene);
+  // Values grow by 6, 2 and -8 per voxel; stored values by a hundredth, over two voxels.
+  const glm::dvec3 difference = 2.0 * glm::dvec3(6.0, 2.0, -8.0) / 100.0;
+  const glm::dvec3 rows(glm::dot(glm::dvec3(block.gradientX), difference),
+    glm::dot(glm::dvec3(block.gradientY), difference),
+    glm::dot(glm::dvec3(block.gradientZ), difference));
+  const double magnitude = std::sqrt(9.0 + 16.0 + 4.0); // per data unit 3, 4 and -2
+  const double coordinate = glm::length(rows) * block.gradientOpacity.x + block.gradientOpacity.y;
+  EXPECT_NEAR(coordinate, 0.005 + 0.99 * (magnitude - 1.0) / 20.0, 1e-9);
+}
+
+TEST(PackScene, ColourAndOpacityHaveCoordinatesOfTheirOwn)
+{
+  Scene scene = MakeScene(false);
+  scene.Volume.Mapping = { 0.0, 1.0 };      // opacities: values 0 to 2
+  scene.Volume.ColorMapping = { 0.0, 4e4 }; // colours: 0 to 80000
+  scene.TransferFunction.Table.resize(100);
+  scene.TransferFunction.Low = 0.5;
+  scene.TransferFunction.High = 1.5;
+  scene.TransferFunction.ColorLow = 1e4;
+  scene.TransferFunction.ColorHigh = 5e4;
+  const glm::dvec4 scales = PackScene(scene).classification;
+  EXPECT_NEAR(0.25 * scales.x + scales.y, 0.005, 1e-12);
+  EXPECT_NEAR(0.75 * scales.x + scales.y, 0.995, 1e-12);
+  EXPECT_NEAR(0.125 * scales.z + scales.w, 0.005, 1e-12);
+  EXPECT_NEAR(0.625 * scales.z + scales.w, 0.995, 1e-12);
+}
+
+TEST(PackScene, DampingWeighsByTheShareOfTheRangePerVoxel)
+{
+  Scene scene = MakeScene(false);
+  scene.Volume.Mapping = { 0.0, 50.0 };
+  scene.Volume.FiniteRange[0] = 20.0;
+  scene.Volume.FiniteRange[1] = 60.0;
+  scene.Lighting.Damping = 0.25;
+  // A tenth of the range, 4 of 100, per voxel: 0.08 stored over two.
+  EXPECT_NEAR(0.08 * PackScene(scene).lightCount.y, 0.1 / 0.25, 1e-12);
+  scene.Lighting.Damping = 0.0;
+  EXPECT_GT(1e-9 * PackScene(scene).lightCount.y, 1.0);
+}

@@ -196,3 +196,78 @@ TEST(VolumeBuilder, StampFollowsTheDataAndNotTheTransform)
   image->GetPointData()->GetScalars()->Modified();
   EXPECT_NE(Build(image).Stamp, first);
 }
+
+namespace
+{
+vtkSmartPointer<vtkImageData> MakeChannels(int components, int type)
+{
+  auto image = MakeImage(3, 3, 3, Index);
+  vtkSmartPointer<vtkDataArray> array;
+  array.TakeReference(vtkDataArray::CreateDataArray(type));
+  array->SetName("field");
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(27);
+  for (vtkIdType i = 0; i < array->GetNumberOfValues(); ++i)
+  {
+    array->SetComponent(i / components, i % components, 10.0 * (i % components) + (i > 30));
+  }
+  image->GetPointData()->AddArray(array);
+  return image;
+}
+
+Volume BuildDependent(vtkImageData* image)
+{
+  return VolumeBuilder().Build(image, PointField, { 0, true }, false, nullptr);
+}
+}
+
+TEST(VolumeBuilder, TwoDependentComponentsAreColourAndOpacity)
+{
+  const Volume volume = BuildDependent(MakeChannels(2, VTK_DOUBLE));
+  EXPECT_EQ(volume.Channels, 2);
+  EXPECT_EQ(volume.Component, 1);
+  EXPECT_EQ(volume.FiniteRange[0], 10.0);
+  EXPECT_EQ(volume.FiniteRange[1], 11.0);
+  EXPECT_EQ(volume.ColorRange[0], 0.0);
+  EXPECT_EQ(volume.ColorRange[1], 1.0);
+  EXPECT_EQ(volume.Mapping.Normalize(11.0), 1.0);
+  EXPECT_EQ(volume.ColorMapping.Normalize(1.0), 1.0);
+}
+
+TEST(VolumeBuilder, FourDependentComponentsAreRgbaAsTheyAre)
+{
+  const Volume bytes = BuildDependent(MakeChannels(4, VTK_UNSIGNED_CHAR));
+  EXPECT_EQ(bytes.Channels, 4);
+  EXPECT_EQ(bytes.Component, 3);
+  EXPECT_EQ(bytes.Format, TexelFormat::Unsigned16);
+  EXPECT_EQ(bytes.ColorMapping.Normalize(255.0), 1.0);
+  EXPECT_EQ(bytes.FiniteRange[1], 31.0);
+  const Volume floats = BuildDependent(MakeChannels(4, VTK_FLOAT));
+  EXPECT_EQ(floats.Format, TexelFormat::Float32);
+  EXPECT_EQ(floats.ColorMapping.Normalize(1.0), 1.0);
+  EXPECT_EQ(floats.ColorMapping.Normalize(0.0), 0.0);
+}
+
+TEST(VolumeBuilder, OtherNumbersOfDependentComponentsAreRefused)
+{
+  EXPECT_THROW(BuildDependent(MakeChannels(3, VTK_FLOAT)), SceneError);
+  EXPECT_THROW(BuildDependent(MakeChannels(5, VTK_FLOAT)), SceneError);
+  EXPECT_EQ(BuildDependent(MakeChannels(1, VTK_FLOAT)).Channels, 1);
+}
+
+TEST(VolumeBuilder, GhostsAreTakenWhereTheyHide)
+{
+  auto image = MakeImage(3, 3, 3, Index);
+  image->AllocatePointGhostArray()->SetValue(4, vtkDataSetAttributes::DUPLICATEPOINT);
+  image->AllocateCellGhostArray();
+  EXPECT_FALSE(Build(image).HasBlanks());
+  const ChangeStamp before = Build(image).Stamp;
+  image->GetCellGhostArray()->SetValue(3, vtkDataSetAttributes::DUPLICATECELL);
+  image->GetCellGhostArray()->Modified();
+  EXPECT_TRUE(Build(image).CellGhosts);
+  EXPECT_FALSE(Build(image).PointGhosts);
+  EXPECT_NE(Build(image).Stamp, before);
+  image->GetPointGhostArray()->SetValue(4, vtkDataSetAttributes::HIDDENPOINT);
+  image->GetPointGhostArray()->Modified();
+  EXPECT_TRUE(Build(image).PointGhosts);
+}

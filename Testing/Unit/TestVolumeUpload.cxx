@@ -4,6 +4,8 @@
 #include "TestVolumes.h"
 
 #include "vtkAbstractMapper.h"
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
 
 #include <gtest/gtest.h>
 
@@ -15,11 +17,11 @@ using namespace volumebench::test;
 
 namespace
 {
-Volume Build(vtkImageData* image)
+Volume Build(vtkImageData* image, bool dependent = false)
 {
   return VolumeBuilder().Build(image,
-    { VTK_SCALAR_MODE_USE_POINT_FIELD_DATA, VTK_GET_ARRAY_BY_NAME, -1, "field" }, {}, false,
-    nullptr);
+    { VTK_SCALAR_MODE_USE_POINT_FIELD_DATA, VTK_GET_ARRAY_BY_NAME, -1, "field" }, { 0, dependent },
+    false, nullptr);
 }
 
 template <typename T>
@@ -94,4 +96,93 @@ TEST(VolumeUpload, BlankingGridMarksTheEightCellsOfATexel)
       }
     }
   }
+}
+
+namespace
+{
+// Component c of the point i is 10 * c + i.
+vtkSmartPointer<vtkImageData> MakeChannels(int components, int type)
+{
+  auto image = MakeImage(2, 2, 2, [](double, double, double) { return 0.0; });
+  vtkSmartPointer<vtkDataArray> array;
+  array.TakeReference(vtkDataArray::CreateDataArray(type));
+  array->SetName("field");
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(8);
+  for (vtkIdType i = 0; i < 8 * components; ++i)
+  {
+    array->SetComponent(i / components, i % components, 10.0 * (i % components) + i / components);
+  }
+  image->GetPointData()->SetScalars(array);
+  return image;
+}
+}
+
+TEST(VolumeUpload, TwoChannelsAreStoredSideBySideInTheirOwnRanges)
+{
+  const Volume volume = Build(MakeChannels(2, VTK_FLOAT), true);
+  EXPECT_EQ(TexelBytes(volume), 8u);
+  const auto texels = Texels<float>(volume, 0, 2);
+  ASSERT_EQ(texels.size(), 16u);
+  for (int i = 0; i < 8; ++i)
+  {
+    EXPECT_NEAR(texels[2 * i], i / 7.0, 1e-6);
+    EXPECT_NEAR(texels[2 * i + 1], i / 7.0, 1e-6);
+  }
+}
+
+TEST(VolumeUpload, FourBytesFillTheSixteenBits)
+{
+  const Volume volume = Build(MakeChannels(4, VTK_UNSIGNED_CHAR), true);
+  EXPECT_EQ(TexelBytes(volume), 8u);
+  const auto texels = Texels<std::uint16_t>(volume, 1, 1);
+  ASSERT_EQ(texels.size(), 16u);
+  for (int i = 0; i < 4; ++i)
+  {
+    for (int channel = 0; channel < 4; ++channel)
+    {
+      EXPECT_EQ(texels[4 * i + channel], 257 * (10 * channel + 4 + i));
+    }
+  }
+}
+
+TEST(VolumeUpload, AnyChannelThatIsNotFiniteHidesItsCells)
+{
+  auto image = MakeChannels(2, VTK_FLOAT);
+  image->GetPointData()->GetScalars()->SetComponent(0, 0, std::nan(""));
+  const auto grid = BlankingGrid(Build(image, true));
+  EXPECT_EQ(std::accumulate(grid.begin(), grid.end(), 0), 8);
+}
+
+TEST(VolumeUpload, BlankingGridTellsHiddenCellsAndPointsApart)
+{
+  auto image = MakeImage(4, 4, 4, [](double i, double, double) { return i; });
+  image->AllocateCellGhostArray()->SetValue(
+    1 + 3 * (2 + 3 * 0), vtkDataSetAttributes::DUPLICATECELL);
+  auto grid = BlankingGrid(Build(image));
+  EXPECT_EQ(std::accumulate(grid.begin(), grid.end(), 0), BlankBetweenTexels);
+  EXPECT_EQ(grid[2 + 5 * (3 + 5 * 1)], BlankBetweenTexels);
+
+  image->AllocatePointGhostArray()->SetValue(0, vtkDataSetAttributes::HIDDENPOINT);
+  grid = BlankingGrid(Build(image));
+  EXPECT_EQ(std::accumulate(grid.begin(), grid.end(), 0), 9);
+  EXPECT_EQ(grid[0], BlankBetweenTexels);
+}
+
+TEST(VolumeUpload, HiddenCellsOfCellDataAreRoundTheirTexels)
+{
+  auto image = MakeImage(4, 4, 4, [](double i, double, double) { return i; });
+  vtkNew<vtkDoubleArray> cells;
+  cells->SetName("cells");
+  cells->SetNumberOfTuples(27);
+  cells->Fill(1.0);
+  image->GetCellData()->AddArray(cells);
+  image->AllocateCellGhostArray()->SetValue(1 + 3 * (2 + 3 * 0), vtkDataSetAttributes::HIDDENCELL);
+  const Volume volume = VolumeBuilder().Build(image,
+    { VTK_SCALAR_MODE_USE_CELL_FIELD_DATA, VTK_GET_ARRAY_BY_NAME, -1, "cells" }, {}, false,
+    nullptr);
+  const auto grid = BlankingGrid(volume);
+  ASSERT_EQ(grid.size(), 64u);
+  EXPECT_EQ(std::accumulate(grid.begin(), grid.end(), 0), BlankRoundTexel);
+  EXPECT_EQ(grid[1 + 4 * (2 + 4 * 0)], BlankRoundTexel);
 }
