@@ -114,7 +114,7 @@ private:
   void AddRun(Contestant& who, int integrator, double step, const std::vector<SettingValue>& values)
   {
     Run run{ &who, integrator, WithValues(this->Settings.Own, values), {},
-      StopRule(this->Settings.Stop), {}, {}, 0 };
+      StopRule(this->Settings.Stop), {}, {} };
     run.Result.Technique = who.GetId();
     run.Result.Integrator = integrator < 0 ? "" : IntegratorNames().NameOf(integrator);
     run.Result.BlendMode = BlendModeNames().NameOf(this->Input.BlendMode);
@@ -280,13 +280,25 @@ private:
     }
   }
 
+  // Frames that a run still has to show of its block: all of them, or the rest of one that took
+  // long.
+  std::vector<int> NextFrames(const Run& run) const
+  {
+    const int size = this->Settings.Stop.FramesPerBlock;
+    const int shown = static_cast<int>(run.Rule.GetFramesMs().size());
+    std::vector<int> frames = BlockFrames(shown / size, size, this->Settings.Orbit.FramesPerTurn);
+    frames.erase(frames.begin(), frames.begin() + shown % size);
+    return frames;
+  }
+
   void MeasureBlock(Run& run)
   {
     run.Apply(this->Scene, this->Settings);
-    const std::vector<int> frames = BlockFrames(
-      run.Blocks, this->Settings.Stop.FramesPerBlock, this->Settings.Orbit.FramesPerTurn);
-    this->PlaceFrame(frames.front());
-    const int warmUp = run.Blocks == 0 ? std::max(1, this->Settings.WarmUpFrames) : 1;
+    const std::vector<int> frames = this->NextFrames(run);
+    // Not the first view: a technique may keep what it made for the view before.
+    this->PlaceFrame(frames.back());
+    const int warmUp =
+      run.Rule.GetFramesMs().empty() ? std::max(1, this->Settings.WarmUpFrames) : 1;
     for (int i = 0; i < warmUp; ++i)
     {
       this->Scene.TimeFrame();
@@ -295,14 +307,17 @@ private:
     {
       return;
     }
-    ++run.Blocks;
+    double spentMs = 0.0;
     for (const int frame : frames)
     {
       this->PlaceFrame(frame);
       const FrameTime time = this->Scene.TimeFrame();
       run.Rule.AddFrame(time.WallMs);
       run.GpuMs.push_back(time.GpuMs);
-      if (!this->Continue() || run.Rule.IsFinished())
+      spentMs += time.WallMs;
+      // At most half of the time limit in one go, so that a slow run takes turns with others too.
+      const bool slow = spentMs > 500.0 * this->Settings.Stop.TimeLimitS;
+      if (!this->Continue() || run.Rule.IsFinished() || slow)
       {
         break;
       }
@@ -318,7 +333,8 @@ private:
     mapper.TimeStagesOn();
     const int turn = this->Settings.Orbit.FramesPerTurn;
     const std::vector<int> views = BlockFrames(0, StageFrames, turn);
-    this->PlaceFrame(views.front());
+    // Not the first view: a technique may keep what it made for the view before.
+    this->PlaceFrame(views.back());
     this->Scene.TimeFrame();
     std::vector<std::vector<StageTime>> frames;
     double spentMs = 0.0;

@@ -23,7 +23,6 @@ struct Run
   StopRule Rule;
   std::vector<double> GpuMs;
   std::vector<FloatPicture> Pictures;
-  int Blocks = 0;
 
   /// Makes the contestant the only visible one and sets what the run asks for.
   void Apply(Stage& stage, const ExperimentSettings& settings) const;

@@ -1,41 +1,52 @@
 """Notes that follow from the results: which techniques are slow, and where their time goes."""
 
+from dataclasses import dataclass
+
 from .results import OK, Record
 from .study import Study
-from .summary import (
-    in_scene,
-    is_peer,
-    million_samples,
-    sampling_text,
-    scenes_of,
-    stage_split,
-    standard_rows,
-)
+from .summary import in_scene, is_peer, million_samples, range_text, scenes_of
+from .summary import stage_shares, standard_rows
 from .techniques import REFERENCE_TECHNIQUE, TECHNIQUES
 
 SLOW_FACTOR = 2.0
 
 
-def all_notes(study: Study, records: list[Record]) -> list[str]:
-    """Return the notes of the study file, then those that follow from its results."""
-    return [*study.notes, *slow_notes(records)]
+@dataclass(frozen=True)
+class SlowRow:
+    """A row beside that of single pass in the same scene, on the same path, at the same sampling."""
+
+    record: Record
+    base: Record
+
+    def slower(self) -> float:
+        """Return how many times as long the frame takes."""
+        return self.record.frame_ms.median / self.base.frame_ms.median
+
+    def more_samples(self) -> float | None:
+        """Return how many times as many samples it takes, if both were counted."""
+        ours, theirs = million_samples(self.record), million_samples(self.base)
+        return ours / theirs if ours and theirs else None
+
+    def slower_sample(self) -> float | None:
+        """Return how many times as long one sample takes."""
+        more = self.more_samples()
+        return self.slower() / more if more else None
 
 
-def slow_notes(records: list[Record]) -> list[str]:
-    """Name each technique that takes over twice the time of single pass in a scene, with causes.
+def slow_rows(records: list[Record]) -> list[SlowRow]:
+    """Return each row of ours that takes over twice as long as that of single pass.
 
-    Both have the same integrator, step and path; where settings vary, the first ones count.
+    Where a technique varies its settings, the first ones count.
     """
     return [
-        _note(row, base)
+        row
         for scene in scenes_of(records)
-        for row, base in _pairs(in_scene(records, scene))
-        if row.frame_ms.median > SLOW_FACTOR * base.frame_ms.median
+        for row in _beside_single_pass(in_scene(records, scene))
+        if row.slower() > SLOW_FACTOR
     ]
 
 
-def _pairs(rows: list[Record]) -> list[tuple[Record, Record]]:
-    """Return each row of a scene with that of single pass under the same conditions."""
+def _beside_single_pass(rows: list[Record]) -> list[SlowRow]:
     timed = [row for row in rows if row.status == OK and row.frame_ms.median]
     bases = {
         (row.path, row.integrator, row.step_voxels): row
@@ -46,30 +57,50 @@ def _pairs(rows: list[Record]) -> list[tuple[Record, Record]]:
     for row in standard_rows(timed):
         base = bases.get((row.path, row.integrator, row.step_voxels))
         if base is not None and base is not row and not is_peer(row):
-            pairs.append((row, base))
+            pairs.append(SlowRow(row, base))
     return pairs
 
 
-def _note(row: Record, base: Record) -> str:
-    ours, theirs = row.frame_ms.median, base.frame_ms.median
+def all_notes(study: Study, records: list[Record]) -> list[str]:
+    """Return the notes of the study file, then one for each technique that is slow somewhere."""
+    slow = slow_rows(records)
+    techniques = dict.fromkeys(row.record.technique for row in slow)
+    notes = [
+        _note([row for row in slow if row.record.technique == technique], records)
+        for technique in techniques
+    ]
+    return [*study.notes, *notes]
+
+
+def _note(slow: list[SlowRow], records: list[Record]) -> str:
+    scenes = len(scenes_of([row.record for row in slow]))
     text = (
-        f"{row.run().scene.title()}, path {row.path}: {TECHNIQUES[row.technique].title} "
-        f"({sampling_text(row)}) takes {ours / theirs:.1f} times as long as "
-        f"{TECHNIQUES[base.technique].title}, {ours:.1f} ms against {theirs:.1f} ms."
+        f"{TECHNIQUES[slow[0].record.technique].title} takes "
+        f"{range_text([row.slower() for row in slow])} as long as "
+        f"{TECHNIQUES[REFERENCE_TECHNIQUE].title} in {scenes} of "
+        f"{len(scenes_of(records))} scenes."
     )
-    stages = stage_split(row)
-    text += f" Stages: {stages}." if stages else " It has no stages to tell apart."
-    return text + _sample_sentence(row, base, ours / theirs)
+    return text + _sample_sentence(slow) + _stage_sentence(slow)
 
 
-def _sample_sentence(row: Record, base: Record, slower: float) -> str:
-    ours, theirs = million_samples(row), million_samples(base)
-    if not ours or not theirs:
+def _sample_sentence(slow: list[SlowRow]) -> str:
+    counted = [row for row in slow if row.more_samples()]
+    if not counted:
         return " Its samples were not counted."
-    more = ours / theirs
-    if abs(more - 1) < 0.005:
-        return f" Both take as many samples, {ours:.2f} million."
-    return (
-        f" It takes {more:.2f} times as many samples ({ours:.2f} against {theirs:.2f} million), "
-        f"so that the time for a sample is {slower / more:.1f} times as long."
-    )
+    more = range_text([row.more_samples() for row in counted], ".2f")
+    cost = range_text([row.slower_sample() for row in counted])
+    return f" It takes {more} as many samples, and each of them takes {cost} as long."
+
+
+def _stage_sentence(slow: list[SlowRow]) -> str:
+    """Name the stage that most of the time goes to, over all rows."""
+    shares: dict[str, list[float]] = {}
+    for row in slow:
+        for name, share in stage_shares(row.record).items():
+            shares.setdefault(name, []).append(share)
+    if not shares:
+        return " It has no stages to tell apart."
+    name, largest = max(shares.items(), key=lambda item: sum(item[1]))
+    low, high = f"{100 * min(largest):.0f}", f"{100 * max(largest):.0f}"
+    share = low if low == high else f"{low} to {high}"
+    return f" Of its stages, {name} takes {share} % of the time."

@@ -27,7 +27,7 @@ from .summary import (
     scene_remarks,
     scenes_of,
 )
-from .tables import Table, setting_tables, stage_table
+from .tables import Table, setting_tables, slow_table, stage_table
 from .techniques import REFERENCE_TECHNIQUE, TECHNIQUES
 
 UNEQUAL = (
@@ -272,10 +272,11 @@ def _notes(study: Study, records: list[Record]) -> str:
     items = "".join(f"<li>{escape(text)}</li>" for text in found)
     title = TECHNIQUES[REFERENCE_TECHNIQUE].title
     return (
-        "<section><h2>Notes</h2><p>Listed here is each technique whose frame takes more than "
-        f"{SLOW_FACTOR:g} times as long as that of {title} at the same sampling, with its stages "
-        "and its samples, which tell where the time goes.</p>"
-        f"{f'<ul>{items}</ul>' if items else '<p>There is none.</p>'}</section>"
+        f"<section><h2>Notes</h2><p>Each technique whose frame takes more than {SLOW_FACTOR:g} "
+        f"times as long as that of {title} in a scene, at the same sampling, is told here with "
+        "its samples and stages, which say where the time goes.</p>"
+        f"{f'<ul>{items}</ul>' if items else '<p>There is none.</p>'}"
+        f"{_table(slow_table(records))}</section>"
     )
 
 

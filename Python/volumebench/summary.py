@@ -107,14 +107,15 @@ def headlines(records: list[Record]) -> list[str]:
             factors = best.setdefault(key, {})
             factors[scene] = max(factors.get(scene, 0.0), factor)
     return [
-        f"{path}: {_range_text(list(factors.values()))} the frame rate of "
+        f"{path}: {range_text(list(factors.values()))} the frame rate of "
         f"{TECHNIQUES[peer].title}, at equal or smaller error"
         for (path, peer), factors in best.items()
     ]
 
 
-def _range_text(factors: list[float]) -> str:
-    low, high = f"{min(factors):.1f}", f"{max(factors):.1f}"
+def range_text(factors: list[float], pattern: str = ".1f") -> str:
+    """Return factors as "2.0 to 3.5 times"."""
+    low, high = format(min(factors), pattern), format(max(factors), pattern)
     return f"{low} times" if low == high else f"{low} to {high} times"
 
 
@@ -129,12 +130,18 @@ def million_samples_per_second(record: Record) -> float | None:
     return 1000 * count / frame_ms if count is not None and frame_ms else None
 
 
-def stage_split(record: Record) -> str:
-    """Return the stages of a frame with their shares; empty for one that has no stages."""
+def stage_shares(record: Record) -> dict[str, float]:
+    """Return the share of each stage in the sum of all; none for a frame without stages."""
     stages = {name: ms for name, ms in (record.stages_ms or {}).items() if ms}
     total = sum(stages.values())
+    return {name: ms / total for name, ms in stages.items()}
+
+
+def stage_split(record: Record) -> str:
+    """Return the stages of a frame with their shares; empty for one that has no stages."""
     return ", ".join(
-        f"{name} {ms:.2f} ms ({100 * ms / total:.0f} %)" for name, ms in stages.items()
+        f"{name} {record.stages_ms[name]:.2f} ms ({100 * share:.0f} %)"
+        for name, share in stage_shares(record).items()
     )
 
 

@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from .notes import all_notes
+from .notes import SLOW_FACTOR, SlowRow, all_notes, slow_rows
 from .results import OK, Record
 from .study import Scene, Study
 from .summary import (
@@ -22,7 +22,7 @@ from .summary import (
     standard_rows,
 )
 from .technique_settings import value_text
-from .techniques import TECHNIQUES
+from .techniques import REFERENCE_TECHNIQUE, TECHNIQUES
 
 
 @dataclass(frozen=True)
@@ -114,6 +114,36 @@ def stage_table(records: list[Record]) -> Table | None:
     return Table(title, header, tuple(rows), len(header)) if rows else None
 
 
+def slow_table(records: list[Record]) -> Table | None:
+    """Return where the time goes in each row that is much slower than single pass."""
+    rows = tuple(_slow_row(row) for row in slow_rows(records))
+    base = TECHNIQUES[REFERENCE_TECHNIQUE].title
+    title = f"More than {SLOW_FACTOR:g} times as long as {base}"
+    header = ("scene", "path", "technique", "sampling", "stages", "ms")
+    header += (f"{base} ms", "time", "samples", "time of a sample")
+    return Table(title, header, rows, 5) if rows else None
+
+
+def _slow_row(row: SlowRow) -> tuple[str, ...]:
+    record = row.record
+    return (
+        record.run().scene.title(),
+        record.path,
+        TECHNIQUES[record.technique].title,
+        sampling_text(record),
+        stage_split(record) or "one",
+        number(record.frame_ms.median, ".1f"),
+        number(row.base.frame_ms.median, ".1f"),
+        _factor(row.slower(), ".1f"),
+        _factor(row.more_samples(), ".2f"),
+        _factor(row.slower_sample(), ".1f"),
+    )
+
+
+def _factor(value: float | None, pattern: str) -> str:
+    return number(value, pattern) + ("x" if value is not None else "")
+
+
 def as_text(table: Table) -> str:
     """Return the table for the terminal."""
     cells = [table.header, *table.rows]
@@ -142,6 +172,8 @@ def _blocks(study: Study, records: list[Record]) -> Iterator[str]:
     yield from (as_text(table) for table in setting_tables(records))
     if stages := stage_table(records):
         yield as_text(stages)
+    if slow := slow_table(records):
+        yield as_text(slow)
     yield from headlines(records)
     yield from (f"note: {text}" for text in all_notes(study, records))
     yield from (f"{item.status}: {item.text()}" for item in missing_groups(records))

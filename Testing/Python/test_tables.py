@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import pytest
 from volumebench.error import ImageError
-from volumebench.notes import all_notes, slow_notes
+from volumebench.notes import all_notes, slow_rows
 from volumebench.report import write_report
 from volumebench.results import Context, record_of
 from volumebench.statistics import spread
@@ -12,6 +12,7 @@ from volumebench.study import Run, Scene
 from volumebench.tables import (
     as_text,
     setting_tables,
+    slow_table,
     stage_table,
     technique_table,
     text_tables,
@@ -111,32 +112,43 @@ def test_columns_of_text_are_aligned(records):
     assert len(ends) == 1
 
 
-def test_slow_techniques_are_noted_with_the_cause(records):
+def test_slow_techniques_are_listed_with_the_cause(records):
     """Slices: 50 / 20 = 2.5 times, twice the samples, so 1.25 for each."""
-    notes = slow_notes(records)
+    table = slow_table(records)
+    first, second = (dict(zip(table.header, line)) for line in table.rows)
+    assert (first["technique"], first["time"]) == ("Slices", "2.5x")
+    assert (first["samples"], first["time of a sample"]) == ("2.00x", "1.2x")
+    assert "drawing 40.00 ms (80 %)" in first["stages"]
+    assert "slice threads 4" in second["sampling"]
+
+
+def test_a_slow_technique_has_one_note(records, study):
+    other = Scene("mri", "mri-opaque", (500, 500))
+    elsewhere = [
+        replace(item, transfer_function=other.transfer_function) for item in records
+    ]
+    elsewhere[2] = replace(elsewhere[2], frame_ms=spread([80.0]))
+    notes = all_notes(study, records + elsewhere)
     assert len(notes) == 2
-    assert "Slices (Midpoint, step 1) takes 2.5 times as long" in notes[0]
-    assert "drawing 40.00 ms (80 %)" in notes[0]
-    assert "2.00 times as many samples (8.00 against 4.00 million)" in notes[0]
-    assert "1.2 times as long" in notes[0]
-    assert "slice threads 4" in notes[1]
+    assert notes[0] == (
+        "Slices takes 2.5 to 4.0 times as long as Single Pass in 2 of 2 scenes. It takes 2.00 "
+        "times as many samples, and each of them takes 1.2 to 2.0 times as long. Of its stages, "
+        "drawing takes 80 % of the time."
+    )
 
 
-def test_a_slow_technique_without_counts_says_so(records):
+def test_a_slow_technique_without_counts_says_so(records, study):
     base = replace(records[0], samples_taken=None)
-    (note,) = slow_notes([base, row("compute", 41.0)])
+    rows = [base, row("compute", 41.0)]
+    (note,) = all_notes(study, rows)
     assert "no stages" in note and "not counted" in note
-
-
-def test_equal_counts_are_told_as_such(records):
-    (note,) = slow_notes([records[0], row("compute", 41.0, 4_000_000)])
-    assert note.endswith("Both take as many samples, 4.00 million.")
+    assert slow_table(rows).rows[0][-2:] == ("-", "-")
 
 
 def test_nothing_is_slow_without_single_pass_or_below_twice(records):
-    assert not slow_notes(records[1:])
-    assert not slow_notes([records[0], row("compute", 39.0)])
-    assert not slow_notes([records[0], replace(row("compute", 90.0), status="failed")])
+    assert not slow_rows(records[1:])
+    assert not slow_rows([records[0], row("compute", 39.0)])
+    assert not slow_rows([records[0], replace(row("compute", 90.0), status="failed")])
 
 
 def test_report_and_terminal_hold_the_notes_of_study_and_results(
@@ -145,7 +157,9 @@ def test_report_and_terminal_hold_the_notes_of_study_and_results(
     noted = replace(study, notes=("Measured by <hand>.",))
     assert all_notes(noted, records)[0] == "Measured by <hand>."
     text = text_tables(noted, records)
-    assert "note: Measured by <hand>." in text and "2.5 times as long" in text
+    assert (
+        "note: Measured by <hand>." in text and "Slices takes 2.5 times as long" in text
+    )
     write_report(tmp_path, noted, Context(), records, [])
     html = (tmp_path / "report.html").read_text()
     for expected in ("Measured by &lt;hand&gt;.", "2.5 times as long", "Msamples/s"):
