@@ -2,6 +2,9 @@
 # The order is the order in ParaView's menus. CONTRIBUTING.md tells how to add one.
 volumebench_technique(single-pass CLASS SinglePass LABEL "Volume Single Pass")
 volumebench_technique(multi-pass CLASS MultiPass LABEL "Volume Multi Pass")
-volumebench_technique(compute CLASS ComputeRayCast LABEL "Volume Compute")
-volumebench_technique(slices CLASS Slices LABEL "Volume Slices")
-volumebench_technique(slices-threaded CLASS SlicesThreaded LABEL "Volume Slices Threaded")
+volumebench_technique(compute CLASS ComputeRayCast LABEL "Volume Compute"
+  SETTINGS WorkGroupShape)
+volumebench_technique(slices CLASS Slices LABEL "Volume Slices"
+  SETTINGS SliceExtent SliceOrder SliceTarget)
+volumebench_technique(slices-threaded CLASS SlicesThreaded LABEL "Volume Slices Threaded"
+  SETTINGS SliceExtent SliceOrder SliceTarget SliceThreads)

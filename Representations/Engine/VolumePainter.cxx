@@ -64,6 +64,7 @@ void VolumePainter::ReleaseGpu()
   {
     this->Window->MakeCurrent();
   }
+  this->Window ? this->Selection.Release() : this->Selection.Forget();
   for (const std::unique_ptr<Part>& part : this->Parts)
   {
     if (this->Window)
@@ -132,8 +133,8 @@ void VolumePainter::UseBlocks(const std::vector<Block>& blocks)
   }
 }
 
-std::vector<VolumePainter::PartScene> VolumePainter::ScenesBackToFront(
-  vtkVolumeBenchMapper* mapper, vtkRenderer* renderer, vtkVolume* volume)
+std::vector<VolumePainter::PartScene> VolumePainter::ScenesBackToFront(vtkVolumeBenchMapper* mapper,
+  vtkRenderer* renderer, vtkVolume* volume, const glm::ivec4& viewport)
 {
   const std::vector<Block> blocks = BlocksOf(mapper->GetDataObjectInput());
   RefuseBlendingOfBlocks(mapper, blocks.size());
@@ -150,8 +151,8 @@ std::vector<VolumePainter::PartScene> VolumePainter::ScenesBackToFront(
       [&] { return this->Parts[i]->Builder.RangeOf(mapper, volume, blocks[i].Image); });
     range = { std::min(range.Low, own.Low), std::max(range.High, own.High) };
   }
-  const RenderTarget target{ ReadGlViewport(this->Window), ReadGlLimits().Texture };
-  const Camera camera = BuildCamera(renderer, target.Viewport);
+  const RenderTarget target{ viewport, ReadGlLimits().Texture };
+  const Camera camera = BuildCamera(renderer, viewport);
   std::vector<PartScene> scenes;
   for (const std::size_t i : BackToFront(blocks, camera, FromVtk(volume->GetMatrix())))
   {
@@ -165,19 +166,52 @@ std::vector<VolumePainter::PartScene> VolumePainter::ScenesBackToFront(
   return scenes;
 }
 
-void VolumePainter::Draw(vtkVolumeBenchMapper* mapper, vtkRenderer* renderer, vtkVolume* volume)
+void VolumePainter::PrepareAll(const std::vector<PartScene>& scenes)
 {
-  this->UseTechnique(mapper->GetTechnique());
-  this->UseWindow(renderer);
-  const std::vector<PartScene> scenes = this->ScenesBackToFront(mapper, renderer, volume);
-  // All blocks are ready before the first is drawn, so that a failure leaves no part of a picture.
   for (const PartScene& scene : scenes)
   {
     InBlock(scene.Drawn->Name, [&] { scene.Drawn->Technique->Prepare(scene.Scene, this->Window); });
   }
+}
+
+void VolumePainter::RenderAll(const std::vector<PartScene>& scenes)
+{
   for (const PartScene& scene : scenes)
   {
     InBlock(scene.Drawn->Name, [&] { scene.Drawn->Technique->Render(scene.Scene, this->Window); });
+  }
+}
+
+void VolumePainter::Draw(vtkVolumeBenchMapper* mapper, vtkRenderer* renderer, vtkVolume* volume)
+{
+  this->UseTechnique(mapper->GetTechnique());
+  this->UseWindow(renderer);
+  const std::vector<PartScene> scenes =
+    this->ScenesBackToFront(mapper, renderer, volume, ReadGlViewport(this->Window));
+  // All blocks are ready before the first is drawn, so that a failure leaves no part of a picture.
+  this->PrepareAll(scenes);
+  this->RenderAll(scenes);
+}
+
+void VolumePainter::Mark(
+  vtkVolumeBenchMapper* mapper, vtkRenderer* renderer, vtkVolume* volume, const glm::vec3& color)
+{
+  this->UseTechnique(mapper->GetTechnique());
+  this->UseWindow(renderer);
+  const glm::ivec4 viewport = ReadGlViewport(this->Window);
+  std::vector<PartScene> scenes =
+    this->ScenesBackToFront(mapper, renderer, volume, { 0, 0, viewport.z, viewport.w });
+  for (PartScene& scene : scenes)
+  {
+    scene.Scene.Measurement = {};
+    scene.Scene.Clip.OpaqueGeometry = true; // in a selection pass all props leave their depth
+  }
+  this->PrepareAll(scenes);
+  this->Selection.DrawPicture(this->Window, viewport, [&] { this->RenderAll(scenes); });
+  for (PartScene& scene : scenes)
+  {
+    scene.Scene.Camera.Viewport = viewport;
+    this->Selection.Mark(scene.Scene, this->Window, color);
   }
 }
 

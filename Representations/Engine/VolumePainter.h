@@ -2,6 +2,7 @@
 #ifndef volumebench_VolumePainter_h
 #define volumebench_VolumePainter_h
 
+#include "Gpu/SelectionMask.h"
 #include "Scene/Blocks.h"
 #include "Scene/SceneBuilder.h"
 #include "Techniques/Technique.h"
@@ -25,6 +26,11 @@ public:
   /// Blends the picture over the bound framebuffer. Throws SceneError, UnsupportedError or
   /// KernelError.
   void Draw(vtkVolumeBenchMapper* mapper, vtkRenderer* renderer, vtkVolume* volume);
+
+  /// Marks where the picture is visible with a colour, at the depth where the rays enter the
+  /// blocks: for selection passes.
+  void Mark(
+    vtkVolumeBenchMapper* mapper, vtkRenderer* renderer, vtkVolume* volume, const glm::vec3& color);
 
   /// GPU objects go with the context that made them: deleted while it lives, dropped when it is
   /// gone.
@@ -55,12 +61,15 @@ private:
 
   void UseTechnique(const std::string& id);
   void UseWindow(vtkRenderer* renderer);
+  void PrepareAll(const std::vector<PartScene>& scenes);
+  void RenderAll(const std::vector<PartScene>& scenes);
   void UseBlocks(const std::vector<Block>& blocks);
-  std::vector<PartScene> ScenesBackToFront(
-    vtkVolumeBenchMapper* mapper, vtkRenderer* renderer, vtkVolume* volume);
+  std::vector<PartScene> ScenesBackToFront(vtkVolumeBenchMapper* mapper, vtkRenderer* renderer,
+    vtkVolume* volume, const glm::ivec4& viewport);
 
-  std::string TechniqueId;                      // of the technique in use
-  std::vector<std::unique_ptr<Part>> Parts;     // one for each block
+  std::string TechniqueId;                  // of the technique in use
+  std::vector<std::unique_ptr<Part>> Parts; // one for each block
+  SelectionMask Selection;
   vtkWeakPointer<vtkOpenGLRenderWindow> Window; // whose context holds the GPU objects
 };
 }

@@ -13,6 +13,9 @@
 #include "vtkRenderer.h"
 #include "vtkVolume.h"
 
+#include <glm/gtc/type_ptr.hpp>
+#include <glm/vec3.hpp>
+
 vtkStandardNewMacro(vtkVolumeBenchMapper);
 
 struct vtkVolumeBenchMapper::Internals
@@ -20,6 +23,8 @@ struct vtkVolumeBenchMapper::Internals
   volumebench::VolumePainter Painter;
   std::string Failure;
   bool Unsupported = false;
+
+  void DrawOrMark(vtkVolumeBenchMapper* mapper, vtkRenderer* renderer, vtkVolume* volume);
 };
 
 vtkVolumeBenchMapper::vtkVolumeBenchMapper()
@@ -32,18 +37,41 @@ vtkVolumeBenchMapper::~vtkVolumeBenchMapper()
   this->Internal->Painter.ReleaseGpu();
 }
 
-void vtkVolumeBenchMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
+void vtkVolumeBenchMapper::Internals::DrawOrMark(
+  vtkVolumeBenchMapper* mapper, vtkRenderer* renderer, vtkVolume* volume)
 {
-  // Selection passes draw ids instead of colours; a picture of the volume would read as ids.
-  if (renderer->GetSelector())
+  vtkHardwareSelector* selector = renderer->GetSelector();
+  if (!selector)
   {
+    this->Painter.Draw(mapper, renderer, volume);
     return;
   }
+  selector->BeginRenderProp();
+  const int pass = selector->GetCurrentPass();
+  glm::vec3 color(0.0f); // black: no block, point or cell can be picked, nor any behind
+  if (pass == vtkHardwareSelector::ACTOR_PASS || pass == vtkHardwareSelector::PROCESS_PASS)
+  {
+    selector->GetPropColorValue(glm::value_ptr(color));
+  }
+  try
+  {
+    this->Painter.Mark(mapper, renderer, volume, color);
+  }
+  catch (...)
+  {
+    selector->EndRenderProp();
+    throw;
+  }
+  selector->EndRenderProp();
+}
+
+void vtkVolumeBenchMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
+{
   std::string failure;
   this->Internal->Unsupported = false;
   try
   {
-    this->Internal->Painter.Draw(this, renderer, volume);
+    this->Internal->DrawOrMark(this, renderer, volume);
   }
   catch (const volumebench::UnsupportedError& error)
   {

@@ -32,7 +32,7 @@ SETTINGS = {
     "RaySetUp": "Box",
     "Shade": 1,
     "ScalarOpacityUnitDistance": 3.0,
-    "TechniqueBlendMode": "Composite",
+    "TechniqueBlendMode": "Gradient",
     "LightingDamping": 0.25,
     "GradientOpacity": 1,
     "GradientOpacityRange": [1.5, 40.0],

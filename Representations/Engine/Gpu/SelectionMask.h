@@ -1,0 +1,54 @@
+// Draws a volume for a selection pass: where its picture is visible, one colour that stands for the
+// prop. The picture comes from the technique itself, drawn off-screen, so that exactly what is seen
+// can be picked, whatever the technique.
+#ifndef volumebench_SelectionMask_h
+#define volumebench_SelectionMask_h
+
+#include "Gpu/GlProgram.h"
+#include "Gpu/OffscreenTarget.h"
+#include "Gpu/OpaqueDepth.h"
+#include "Scene/Features.h"
+
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include <functional>
+#include <map>
+#include <memory>
+
+class vtkOpenGLRenderWindow;
+
+namespace volumebench
+{
+class SelectionMask
+{
+public:
+  /// A pixel shows the volume when it has more opacity than three steps of an 8-bit picture, as in
+  /// VTK's own volume mapper: haze that nobody sees does not hide what is behind.
+  static constexpr float LeastOpacity = 3.0f / 255.0f;
+
+  /// Calls `draw` with an empty target bound that is as large as `viewport` but begins at (0, 0),
+  /// and has the depth of what has been drawn there.
+  void DrawPicture(
+    vtkOpenGLRenderWindow* window, const glm::ivec4& viewport, const std::function<void()>& draw);
+
+  /// Marks in the bound framebuffer, with depth, where the last picture is visible and the rays
+  /// meet the box of `scene`, which is one of those drawn.
+  void Mark(const Scene& scene, vtkOpenGLRenderWindow* window, const glm::vec3& color);
+
+  void Release();
+  void Forget();
+
+private:
+  const GlProgram& ProgramFor(const FeatureSet& features);
+  void Upload(const Scene& scene);
+
+  OpaqueDepth Depth;
+  OffscreenTarget Picture;
+  std::map<unsigned long, std::unique_ptr<GlProgram>> Programs; // by features
+  unsigned int SceneBuffer = 0;
+  unsigned int VertexArray = 0; // empty: the vertex stage makes its own positions
+};
+}
+
+#endif
