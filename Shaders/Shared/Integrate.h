@@ -63,7 +63,8 @@ FUNC vec4 contributionOf(SCENE_PARAM Ray ray, real stepBegin, real width, real f
 #else
   vec4 sampled = sampleAt(SCENE ray, along);
 #endif
-  real opacity = opacityOfDepth(sampled.w * (width * ray.lengthPerUnit));
+  real visible = width * visibleShare(SCENE ray, stepBegin, width);
+  real opacity = opacityOfDepth(sampled.w * (visible * ray.lengthPerUnit));
   return VEC4(opacity * sampled.x, opacity * sampled.y, opacity * sampled.z, opacity);
 }
 #endif

@@ -69,6 +69,43 @@ FUNC bool isHidden(SCENE_PARAM Ray ray, real along)
   return hidden;
 }
 
+#if WITH_CROP_REGIONS
+// The next of the two borders of the crop box along one axis that a ray reaches after `along`.
+FUNC real nextBorder(real next, real along, real origin, real direction)
+{
+  real unit = fabs(direction) < REAL(1.0e-12) ? REAL(1.0e-12) : direction;
+  real low = -origin / unit;
+  real high = (REAL(1.0) - origin) / unit;
+  next = low > along ? min(next, low) : next;
+  return high > along ? min(next, high) : next;
+}
+#endif
+
+// The share of a step that cropping by regions leaves, exactly: a ray crosses six borders at most.
+FUNC real visibleShare(SCENE_PARAM Ray ray, real stepBegin, real width)
+{
+#if WITH_CROP_REGIONS
+  vec3 origin = rowsTimes(scene.cropX, scene.cropY, scene.cropZ, ray.origin) +
+    VEC3(scene.cropX.w, scene.cropY.w, scene.cropZ.w);
+  vec3 direction = rowsTimes(scene.cropX, scene.cropY, scene.cropZ, ray.direction);
+  real stepEnd = stepBegin + width;
+  real from = stepBegin;
+  real visible = REAL(0.0);
+  for (int piece = 0; piece < 7 && from < stepEnd; ++piece)
+  {
+    real next = nextBorder(stepEnd, from, origin.x, direction.x);
+    next = nextBorder(next, from, origin.y, direction.y);
+    next = nextBorder(next, from, origin.z, direction.z);
+    vec3 middle = ray.origin + (REAL(0.5) * (from + next)) * ray.direction;
+    visible = isInCropRegions(SCENE middle) ? visible + (next - from) : visible;
+    from = next;
+  }
+  return visible / width;
+#else
+  return REAL(1.0);
+#endif
+}
+
 #if WITH_GRADIENT_BLEND
 // How much the field changes between the neighbours one voxel before and after, as a share of the
 // range that the data have (Maas & Overhoff 2015, "gradient calculation").
@@ -84,8 +121,8 @@ FUNC real changeAlong(SCENE_PARAM Ray ray, real along)
 // function makes of the field there.
 FUNC vec4 appearanceAt(SCENE_PARAM Ray ray, real along, vec4 sampled)
 {
-#if WITH_BLANKING || WITH_CROP_REGIONS
-  if (isHidden(SCENE ray, along))
+#if WITH_BLANKING
+  if (isBlank(SCENE texturePositionOf(ray, along)))
   {
     sampled.w = REAL(0.0);
   }

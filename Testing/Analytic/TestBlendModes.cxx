@@ -32,7 +32,7 @@ BackendScene MakeScene(const Function& value, double step)
   space::Ray                                                                                       \
   {                                                                                                \
     space::vec3(0.0), space::vec3(1.0, 0.0, 0.0), space::vec3(0.0), space::vec3(1.0, 0.0, 0.0),    \
-      0.0, 1.0                                                                                     \
+      0.0, 1.0, 1.0                                                                                \
   }
 
 double Wave(double t)

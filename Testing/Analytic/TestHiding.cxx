@@ -26,7 +26,8 @@ BackendScene MakeScene()
 
 blanking64::Ray RayThroughTexels()
 {
-  return { { 0.0, 0.0, 0.0 }, { 1.0, 0.0, 0.0 }, { 0.0, 0.35, 0.62 }, { 0.1, 0.0, 0.0 }, 0.0, 1.0 };
+  return { { 0.0, 0.0, 0.0 }, { 1.0, 0.0, 0.0 }, { 0.0, 0.35, 0.62 }, { 0.1, 0.0, 0.0 }, 0.0, 1.0,
+    1.0 };
 }
 
 // The length that a ray shows when only this cell has these bits.
@@ -71,7 +72,7 @@ TEST(BlankingText, HiddenSamplesAreNoExtremes)
   { return blankingMaximum64::vec4(1.0, 1.0, 1.0, -std::log1p(-value)); };
   scene.blanking = [](int x, int, int) { return x >= 6 ? 2 : 0; };
   const blankingMaximum64::Ray ray = { { 0.0, 0.0, 0.0 }, { 1.0, 0.0, 0.0 }, { 0.0, 0.35, 0.62 },
-    { 0.1, 0.0, 0.0 }, 0.0, 1.0 };
+    { 0.1, 0.0, 0.0 }, 0.0, 1.0, 1.0 };
   EXPECT_NEAR(blankingMaximum64::integrate(scene, ray, { 0.0, 10.0 }).w, 0.09 * 5.95, 1e-6);
   scene.blanking = [](int, int, int) { return 2; };
   EXPECT_EQ(blankingMaximum64::integrate(scene, ray, { 0.0, 10.0 }), blankingMaximum64::vec4(0.0));
@@ -104,7 +105,7 @@ TEST(ClipPlaneText, KeepsWhatIsInFrontOfAllPlanes)
   scene.viewDepth = { 0.0, 0.0, 1.0, 100.0 };
   scene.depthRange = { 0.0, 1000.0, 1.0, 0.0 };
   const clipPlanes64::Ray ray = { { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 1.0 }, { 0.0, 0.0, 0.0 },
-    { 0.0, 0.0, 1.0 }, 100.0, 1.0 };
+    { 0.0, 0.0, 1.0 }, 100.0, 1.0, 1.0 };
   const auto interval = [&] { return clipPlanes64::visibleInterval(scene, ray, 1.0); };
   scene.clipPlaneCount.x = 2.0;
   scene.clipPlane[0] = { 0.0, 0.6, 0.8, 0.8 };  // z above -1
@@ -129,18 +130,22 @@ TEST(SlabText, SlabsJoinToTheRay)
   scene.table = [](double t)
   { return midpoint64::vec4(0.5 + 0.4 * std::cos(3.0 * t), 0.0, 0.0, 1.5 + std::sin(5.0 * t)); };
   scene.viewDepth = { 0.8, 0.0, 0.0, 50.0 }; // depth grows by 0.8 for a unit of the ray
+  scene.rayDirection = { 1.0, 0.0, 0.0, 0.0 };
+  scene.depthRange.w = 1.0 / 0.8;
+  scene.textureScale = { 1.0, 1.0, 1.0, 0.0 };
   const midpoint64::Ray ray = { { 0.0, 0.0, 0.0 }, { 1.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 },
-    { 1.0, 0.0, 0.0 }, 50.0, 1.0 };
+    { 1.0, 0.0, 0.0 }, 50.0, 1.0, 1.0 };
   const midpoint64::Interval visible = { 0.25, 1.1 };
   scene.sampling.x = 0.1;
   const auto expected = midpoint64::integrate(scene, ray, visible);
   // Slabs of a step, from the depth at which the visible part begins; some lie outside.
+  const midpoint64::vec4 slabRay = { 0.8 * visible.begin, 0.8 * visible.end, 1.0 / 0.8, 0.8 };
   midpoint64::vec4 gathered = midpoint64::emptyRay();
   for (int slab = -2; slab < 12; ++slab)
   {
     const double nearDepth = 0.8 * (0.25 + 0.1 * slab);
-    gathered = midpoint64::accumulate(
-      gathered, midpoint64::castSlab(scene, ray, visible, nearDepth, nearDepth + 0.08));
+    gathered = midpoint64::accumulate(gathered,
+      midpoint64::castSlab(scene, midpoint64::vec2(0.0), slabRay, nearDepth, nearDepth + 0.08));
   }
   EXPECT_NEAR(gathered.w, expected.w, 1e-9);
   EXPECT_NEAR(gathered.x, expected.x, 1e-9);

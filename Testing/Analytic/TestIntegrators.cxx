@@ -29,7 +29,8 @@ constexpr double Red = 0.75; // of every medium with one colour
       scene.table = [&](Real value)                                                                \
       { return space::vec4(Real(color(value)), 0, 0, Real(tau(value))); };                         \
       const space::vec3 along(1, 0, 0);                                                            \
-      const space::Ray ray = { space::vec3(0), along, space::vec3(0), along, Real(0), Real(1), Real(1) };            \
+      const space::Ray ray = { space::vec3(0), along, space::vec3(0), along, Real(0), Real(1),     \
+        Real(1) };                                                                                 \
       return space::integrate(scene, ray, { Real(begin), Real(end) });                             \
     }                                                                                              \
   };
