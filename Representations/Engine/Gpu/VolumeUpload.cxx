@@ -107,14 +107,18 @@ bool IsFiniteTexel(const Volume& volume, vtkIdType texel)
   const bool all = volume.Component < 0 || volume.Channels > 1;
   const int first = all ? 0 : volume.Component;
   const int last = all ? components - 1 : volume.Component;
+  double squares = 0.0;
   for (int component = first; component <= last; ++component)
   {
-    if (!std::isfinite(volume.Scalars->GetComponent(texel, component)))
+    const double value = volume.Scalars->GetComponent(texel, component);
+    if (!std::isfinite(value))
     {
       return false;
     }
+    squares += value * value;
   }
-  return true;
+  // The magnitude of finite components may overflow.
+  return volume.Component >= 0 || std::isfinite(squares);
 }
 
 void MarkHiddenCells(const Volume& volume, GridMarker& marker)

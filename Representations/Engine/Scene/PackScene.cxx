@@ -92,8 +92,20 @@ void PackCrop(const Scene& scene, SceneBlock64& block)
     const double size = scene.Clip.CropHigh[axis] - low;
     glm::dvec4 row = Row(scene.Volume.VoxelToData, axis);
     row.w -= low;
-    // An empty crop box leaves nothing: its coordinate is 2 everywhere, outside [0, 1].
-    *axes[axis] = size > 0.0 ? row / size : glm::dvec4(0.0, 0.0, 0.0, 2.0);
+    if (size > 0.0)
+    {
+      *axes[axis] = row / size;
+    }
+    else if (scene.Clip.CropRegionFlags != 0)
+    {
+      // Regions without thickness hold nothing, and those beside them stay: so thin is 1e-6 voxels.
+      *axes[axis] = row / (1.0e-6 * glm::length(glm::dvec3(row)));
+    }
+    else
+    {
+      // An empty crop box leaves nothing: its coordinate is 2 everywhere, outside [0, 1].
+      *axes[axis] = { 0.0, 0.0, 0.0, 2.0 };
+    }
   }
   constexpr int FlagsInFirst = 14;
   const unsigned int flags = scene.Clip.CropRegionFlags;

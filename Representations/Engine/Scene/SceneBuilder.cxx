@@ -171,9 +171,11 @@ void RefuseUnsupported(
   {
     throw SceneError("2D transfer functions cannot be drawn");
   }
+  // The mapper's own default stands for no limit; doubles reach beyond it.
   const double* range = mapper->GetAverageIPScalarRange();
-  if (scene.Compositing.Mode == BlendMode::Average &&
-    (range[0] > scene.Volume.FiniteRange[0] || range[1] < scene.Volume.FiniteRange[1]))
+  const bool limited = (range[0] > VTK_FLOAT_MIN && range[0] > scene.Volume.FiniteRange[0]) ||
+    (range[1] < VTK_FLOAT_MAX && range[1] < scene.Volume.FiniteRange[1]);
+  if (scene.Compositing.Mode == BlendMode::Average && limited)
   {
     throw SceneError("the blend mode Average cannot be limited to a part of the scalar range");
   }
