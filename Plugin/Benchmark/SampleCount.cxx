@@ -9,9 +9,12 @@ namespace volumebench
 {
 namespace
 {
+// Beyond this, floats no longer tell neighbouring whole numbers apart.
+constexpr float LargestCount = 16777216.0f;
+
 bool IsCount(float value)
 {
-  return std::isfinite(value) && value >= 0.0f && value == std::floor(value);
+  return value >= 0.0f && value <= LargestCount && value == std::floor(value);
 }
 }
 

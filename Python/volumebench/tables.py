@@ -75,7 +75,11 @@ def setting_tables(records: list[Record]) -> list[Table]:
 
 def _setting_table(rows: list[Record]) -> Table:
     first = rows[0]
-    names = list(first.settings)
+    names = [
+        name
+        for name in first.settings
+        if len({row.settings.get(name) for row in rows}) > 1
+    ]
     stages = list(dict.fromkeys(name for row in rows for name in row.stages_ms or ()))
     titles = tuple(name.replace("_", " ") for name in names)
     stage_titles = tuple(f"{name} ms" for name in stages)

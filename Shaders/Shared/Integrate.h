@@ -149,13 +149,13 @@ FUNC vec4 castSlab(SCENE_PARAM vec2 pixel, vec4 slabRay, real nearDepth, real fa
 {
   real slabBegin = max(slabRay.x, nearDepth);
   real width = min(slabRay.y, farDepth) - slabBegin;
+#if WITH_SAMPLE_COUNT
+  return VEC4(width > REAL(0.0) ? REAL(1.0) : REAL(0.0), REAL(0.0), REAL(0.0), REAL(0.0));
+#else
   if (width <= REAL(0.0))
   {
     return emptyRay();
   }
-#if WITH_SAMPLE_COUNT
-  return VEC4(REAL(1.0), REAL(0.0), REAL(0.0), REAL(0.0));
-#else
   Ray ray = rayInDepth(SCENE pixel, slabRay.z, slabRay.w);
   return contributionOf(SCENE ray, slabBegin, width, endValue(SCENE ray, slabBegin),
     endValue(SCENE ray, slabBegin + width));

@@ -92,6 +92,15 @@ def test_as_many_threads_as_pay_are_called_auto(records):
     assert "slice threads auto" in text_tables_of_first(threaded(0, 40.0))
 
 
+def test_a_setting_with_one_value_has_no_column(records):
+    fixed = (("slice_target", "RGBA8"),)
+    rows = [
+        replace(item, settings=item.settings | dict(fixed)) for item in records[3:5]
+    ]
+    (table,) = setting_tables(rows)
+    assert "slice target" not in table.header and table.words == 1
+
+
 def test_one_row_of_settings_needs_no_table(records):
     assert not setting_tables(records[:4])
 

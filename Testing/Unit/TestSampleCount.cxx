@@ -28,9 +28,10 @@ TEST(SampleCount, StaysExactBeyondSingleFloat)
 
 TEST(SampleCount, AnOrdinaryPictureCountsNothing)
 {
-  for (const std::vector<float>& pixels : std::vector<std::vector<float>>{
-         { 0.25f, 0.5f, 0.1f, 1.0f }, { 3.0f, 0.0f, 2.0f, 1.0f }, { -1.0f, 0.0f, 0.0f, 1.0f },
-         { std::nanf(""), 0.0f, 0.0f, 1.0f }, { 0.0f, 0.0f, 0.0f, 0.0f } })
+  for (const std::vector<float>& pixels :
+    std::vector<std::vector<float>>{ { 0.25f, 0.5f, 0.1f, 1.0f }, { 3.0f, 0.0f, 2.0f, 1.0f },
+      { -1.0f, 0.0f, 0.0f, 1.0f }, { 1.0e30f, 0.0f, 0.0f, 0.0f },
+      { std::nanf(""), 0.0f, 0.0f, 1.0f }, { 0.0f, 0.0f, 0.0f, 0.0f } })
   {
     EXPECT_TRUE(std::isnan(SumSampleCounts({ 1, 1, pixels }).Taken));
   }
