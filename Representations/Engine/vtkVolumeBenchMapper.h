@@ -110,9 +110,9 @@ public:
 
   ///@{
   /**
-   * Technique compute: pixels of a work group as "WIDTHxHEIGHT", one of the 20 shapes from 4x1 to
-   * 32x16 of Sans & Carmona 2016; or "Auto" (default), which measures a few of them once per class
-   * of scene.
+   * Technique compute: pixels of a work group as "WIDTHxHEIGHT": one of the 18 shapes from 4x1 to
+   * 16x8 in the table of Sans & Carmona 2016, or 16x16 or 32x16, which they tried as well; or "Auto"
+   * (default), which measures a few of them once per class of scene.
    */
   vtkSetStdStringFromCharMacro(WorkGroupShape);
   vtkGetCharFromStdStringMacro(WorkGroupShape);

@@ -115,6 +115,34 @@ def check_lighting_of_the_panel_reaches_our_volumes() -> None:
         before = after
 
 
+def check_settings_reach_the_picture() -> None:
+    """Those that change it for every technique; the others are about speed or one technique."""
+    view, display = shaded_blob()
+    usual = capture(view)
+    for name, values, least in (
+        ("TechniqueBlendMode", ("Maximum", "Minimum", "Average", "Gradient"), 1e-3),
+        ("Integrator", ("Left", "PreIntegrated"), 1e-5),
+        ("LightingDamping", (1.0,), 1e-3),
+        ("GradientOpacity", (1,), 1e-4),
+    ):
+        default = display.GetProperty(name).GetData()
+        for value in values:
+            setattr(display, name, value)
+            check_differs(usual, capture(view), f"{name} {value}", least)
+        setattr(display, name, default)
+        assert rmse(capture(view), usual) == 0, f"{name} back gave another picture"
+
+
+def check_work_group_shapes_are_all_known() -> None:
+    view, display = shaded_blob()
+    display.SetRepresentationType("Volume Compute")
+    usual = capture(view)
+    for shape in display.GetProperty("WorkGroupShape").Available:
+        display.WorkGroupShape = shape
+        error = rmse(capture(view), usual)
+        assert error <= 1e-6, f"{shape} changes the picture: RMSE {error:.2g}"
+
+
 def check_blend_mode_of_paraview_has_no_effect() -> None:
     view, display = shaded_blob()
     before = capture(view)
