@@ -44,7 +44,7 @@ drag() {
   done
   sleep 0.2
   xdotool mouseup 1
-  sleep 1
+  sleep 4
 }
 
 # An X server that takes a free display number and tells it.
@@ -67,14 +67,15 @@ paraview --script="$root/Documentation/make_screenshot.py" -geometry 1600x1000+0
   >"$folder/log" 2>&1 &
 started+=($!)
 wait_until test -e "$folder/ready"
-sleep 2
+sleep 8 # while it draws, the window takes no notice of the mouse
 
 drag 297 700 460 700 # a wider panel
 drag 146 434 146 220 # a lower pipeline browser
 # The search shows the rows that are named after volumes, advanced ones too.
 xdotool mousemove 130 338 click 1
-xdotool type volume
 sleep 1
+xdotool type volume
+sleep 5
 xdotool mousemove 800 960
 sleep 1
 
