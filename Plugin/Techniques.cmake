@@ -1,9 +1,11 @@
 # The list of techniques: one row each, and the only existing file that a new technique edits.
 # The order is the order in ParaView's menus. CONTRIBUTING.md tells how to add one.
-volumebench_technique(single-pass CLASS SinglePass LABEL "Volume Single Pass")
-volumebench_technique(multi-pass CLASS MultiPass LABEL "Volume Multi Pass")
+volumebench_technique(single-pass CLASS SinglePass LABEL "Volume Single Pass"
+  SETTINGS TerminationThreshold RaySetUp)
+volumebench_technique(multi-pass CLASS MultiPass LABEL "Volume Multi Pass"
+  SETTINGS TerminationThreshold)
 volumebench_technique(compute CLASS ComputeRayCast LABEL "Volume Compute"
-  SETTINGS WorkGroupShape)
+  SETTINGS TerminationThreshold RaySetUp WorkGroupShape)
 volumebench_technique(slices CLASS Slices LABEL "Volume Slices"
   SETTINGS SliceExtent SliceOrder SliceTarget)
 volumebench_technique(slices-threaded CLASS SlicesThreaded LABEL "Volume Slices Threaded"

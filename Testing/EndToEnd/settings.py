@@ -12,6 +12,7 @@ from support import (
     check_differs,
     color_by,
     image_data,
+    labels_named_by,
     look,
     new_view,
     not_drawn,
@@ -74,19 +75,9 @@ def check_rows_of_one_technique_name_it() -> None:
     display = show(wavelet(4), new_view())
     labels = set(technique_labels())
     for name in OURS:
-        hints = display.GetProperty(name).SMProperty.GetHints()
-        named = {label for label in decorated_with(hints) if label.startswith("Volume")}
+        named = labels_named_by(display, name)
         print(f"  {name}: {', '.join(sorted(named)) or 'all'}")
         assert named <= labels, f"{name} is shown for {named - labels}, which are none"
-
-
-def decorated_with(element: Any) -> list[str]:
-    """Return the values that decorators below an XML element wait for."""
-    values = []
-    for index in range(element.GetNumberOfNestedElements() if element else 0):
-        nested = element.GetNestedElement(index)
-        values += [nested.GetAttribute("value") or ""] + decorated_with(nested)
-    return values
 
 
 def check_settings_survive_switching() -> None:

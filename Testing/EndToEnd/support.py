@@ -63,6 +63,20 @@ def technique_labels() -> list[str]:
     return re.findall(rows, text, re.MULTILINE)
 
 
+def labels_named_by(display: Any, name: str) -> set[str]:
+    """Return the representations that alone show the row of a property; empty when all do."""
+    hints = display.GetProperty(name).SMProperty.GetHints()
+    return {label for label in _decorated_with(hints) if label.startswith("Volume")}
+
+
+def _decorated_with(element: Any) -> list[str]:
+    values = []
+    for index in range(element.GetNumberOfNestedElements() if element else 0):
+        nested = element.GetNestedElement(index)
+        values += [nested.GetAttribute("value") or ""] + _decorated_with(nested)
+    return values
+
+
 def load_plugin(remote: bool = False) -> None:
     """Load the plugin under test into this process or into the server."""
     simple.LoadPlugin(PLUGIN, remote=remote, ns=vars(simple))
