@@ -67,14 +67,11 @@ void AddCuts(ConformanceScenes& scenes)
     }));
   scenes.push_back(
     HillsScene("crop_box", 0.5, [](RenderScene& scene) { Crop(scene, VTK_CROP_SUBVOLUME); }));
-  // A sample decides for the whole of its step, so what borders of regions make of opacity is of
-  // first order: the medium is thin, or even the reference would be too coarse.
   for (const auto& [name, flags] : { std::pair{ "crop_fence", VTK_CROP_FENCE },
          { "crop_cross", VTK_CROP_CROSS }, { "crop_inverted_fence", VTK_CROP_INVERTED_FENCE } })
   {
     scenes.push_back(
-      HillsScene(name, 0.125, [flags = flags](RenderScene& scene) { Crop(scene, flags); }));
-    scenes.back().Property = [] { return HillsProperty(0.09); };
+      HillsScene(name, 0.5, [flags = flags](RenderScene& scene) { Crop(scene, flags); }));
   }
 }
 
