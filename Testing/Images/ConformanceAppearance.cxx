@@ -101,7 +101,7 @@ void AddTransferFunctions(ConformanceScenes& scenes)
     double Step;
   };
   for (const Row& row : { Row{ "nearly_empty", 0.002, 0.5 }, { "thin", 0.03, 0.5 },
-         { "translucent", 0.25, 0.25 }, { "opaque", 0.98, 0.125 } })
+         { "translucent", 0.25, 0.5 }, { "opaque", 0.98, 0.25 } })
   {
     scenes.push_back(HillsScene(row.Name, row.Step, [](RenderScene&) {}));
     scenes.back().Property = [=] { return HumpProperty(row.Height); };
@@ -112,7 +112,7 @@ void AddTransferFunctions(ConformanceScenes& scenes)
 
 void AddGeometry(ConformanceScenes& scenes)
 {
-  scenes.push_back(HillsScene("opaque_geometry", 0.5,
+  scenes.push_back(HillsScene("opaque_geometry", 1.0,
     [](RenderScene& scene)
     {
       vtkNew<vtkSphereSource> sphere;

@@ -30,10 +30,10 @@ struct Mode
 };
 
 // The extreme along a ray lies between two samples: finer steps find it more closely.
-constexpr Mode Modes[] = { { "composite", vtkVolumeMapper::COMPOSITE_BLEND, 0.5, 0.25 },
-  { "maximum", vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND, 0.25, 0.8 },
+constexpr Mode Modes[] = { { "composite", vtkVolumeMapper::COMPOSITE_BLEND, 1.0, 0.25 },
+  { "maximum", vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND, 0.5, 0.8 },
   { "minimum", vtkVolumeMapper::MINIMUM_INTENSITY_BLEND, 0.25, 1.5 },
-  { "average", vtkVolumeMapper::AVERAGE_INTENSITY_BLEND, 0.5, 1.0 },
+  { "average", vtkVolumeMapper::AVERAGE_INTENSITY_BLEND, 1.0, 1.0 },
   { "gradient", vtkVolumeBenchMapper::GRADIENT_BLEND, 0.5, 1.0 } };
 
 void AddTypesAndModes(ConformanceScenes& scenes)
@@ -81,6 +81,7 @@ ConformanceScene ChannelScene(
 {
   ConformanceScene scene;
   scene.Name = name;
+  scene.StepVoxels = 1.0;
   scene.Image = [=] { return Channels(components, type, scale); };
   scene.Property = [=]
   {
@@ -132,7 +133,7 @@ vtkSmartPointer<vtkImageData> WithHiddenCells(bool cellData)
 // The borders of hidden cells are met to half a step, as a sample counts for the whole of its own.
 void AddHidden(ConformanceScenes& scenes)
 {
-  scenes.push_back(HillsScene("hidden_cells", 0.125, [](RenderScene&) {}));
+  scenes.push_back(HillsScene("hidden_cells", 0.25, [](RenderScene&) {}));
   scenes.back().Image = [] { return WithHiddenCells(false); };
   scenes.push_back(HillsScene("hidden_cells_of_cell_data", 0.125,
     [](RenderScene& scene)
@@ -141,7 +142,7 @@ void AddHidden(ConformanceScenes& scenes)
       scene.Mapper->SelectScalarArray("cells");
     }));
   scenes.back().Image = [] { return WithHiddenCells(true); };
-  scenes.push_back(HillsScene("hidden_points", 0.125, [](RenderScene&) {}));
+  scenes.push_back(HillsScene("hidden_points", 0.25, [](RenderScene&) {}));
   scenes.back().Image = []
   {
     auto image = HillsImage();
@@ -151,7 +152,7 @@ void AddHidden(ConformanceScenes& scenes)
     }
     return image;
   };
-  scenes.push_back(HillsScene("nan_voxels", 0.125, [](RenderScene&) {}));
+  scenes.push_back(HillsScene("nan_voxels", 0.25, [](RenderScene&) {}));
   scenes.back().Image = []
   {
     auto image = HillsImage();

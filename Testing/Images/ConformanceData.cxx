@@ -67,16 +67,16 @@ void AddFiles(ConformanceScenes& scenes)
     "bucky_uint8", 0.5, [] { return Read<vtkMetaImageReader>(DataFolder() / "bucky.mhd"); },
     [] { return ScanProperty(0.0, 255.0, 0.2, 1.0); }));
   scenes.push_back(ScanScene(
-    "walnut_uint16", 0.5, [] { return Read<vtkNrrdReader>(DataFolder() / "walnut.nrrd"); },
+    "walnut_uint16", 1.0, [] { return Read<vtkNrrdReader>(DataFolder() / "walnut.nrrd"); },
     [] { return ScanProperty(1000.0, 15000.0, 0.1, 0.015625); }));
   scenes.push_back(ScanScene(
-    "feet_int16", 0.5, [] { return Read<vtkNrrdReader>(DataFolder() / "vhf_feet_ct.nrrd"); },
+    "feet_int16", 1.0, [] { return Read<vtkNrrdReader>(DataFolder() / "vhf_feet_ct.nrrd"); },
     [] { return ScanProperty(-300.0, 1200.0, 0.05, 1.0); }));
   scenes.push_back(ScanScene(
-    "isabel_float", 0.5, [] { return Read<vtkNrrdReader>(DataFolder() / "isabel_wind.nrrd"); },
+    "isabel_float", 1.0, [] { return Read<vtkNrrdReader>(DataFolder() / "isabel_wind.nrrd"); },
     [] { return ScanProperty(0.0, 78.0, 0.3, 4.0); }));
   scenes.push_back(ScanScene(
-    "brain_uint8", 0.5,
+    "brain_uint8", 1.0,
     [] { return Read<vtkNIFTIImageReader>("/usr/share/mricron/templates/ch2.nii.gz"); },
     [] { return ScanProperty(20.0, 255.0, 0.05, 1.0); }));
 }
@@ -111,7 +111,7 @@ void AddStandIns(ConformanceScenes& scenes)
          { "shells_int16", VTK_SHORT, 2200.0, -1000.0 } })
   {
     scenes.push_back(ScanScene(
-      row.Name, 0.5,
+      row.Name, 1.0,
       [=]
       {
         return MakeImage(
@@ -122,7 +122,7 @@ void AddStandIns(ConformanceScenes& scenes)
       [=] { return ScanProperty(row.Offset, row.Offset + row.Scale, 0.15, 1.0); }));
   }
   scenes.push_back(ScanScene(
-    "storm_float", 0.5, [] { return MakeImage(40, 36, 12, Storm); },
+    "storm_float", 1.0, [] { return MakeImage(40, 36, 12, Storm); },
     [] { return ScanProperty(0.0, 78.0, 0.3, 1.0); }));
 }
 }

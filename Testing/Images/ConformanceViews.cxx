@@ -40,7 +40,7 @@ void AddCameras(ConformanceScenes& scenes)
       scene.LookFrom(-0.6, 0.9, 1.0);
     }));
   scenes.back().Translucent = true;
-  scenes.push_back(HillsScene("camera_inside", 0.5,
+  scenes.push_back(HillsScene("camera_inside", 1.0,
     [](RenderScene& scene)
     {
       vtkCamera* camera = scene.Renderer->GetActiveCamera();
@@ -49,7 +49,7 @@ void AddCameras(ConformanceScenes& scenes)
       camera->SetViewAngle(60.0);
       camera->SetClippingRange(0.05, 60.0);
     }));
-  scenes.push_back(HillsScene("near_plane_cuts", 0.5,
+  scenes.push_back(HillsScene("near_plane_cuts", 1.0,
     [](RenderScene& scene)
     {
       vtkCamera* camera = scene.Renderer->GetActiveCamera();
@@ -59,19 +59,19 @@ void AddCameras(ConformanceScenes& scenes)
 
 void AddCuts(ConformanceScenes& scenes)
 {
-  scenes.push_back(HillsScene("clip_planes", 0.5,
+  scenes.push_back(HillsScene("clip_planes", 1.0,
     [](RenderScene& scene)
     {
       AddPlane(scene, { 9.0, 8.0, 6.0 }, { 1.0, 0.4, -0.3 });
       AddPlane(scene, { 9.0, 8.0, 9.0 }, { 0.1, -0.3, -1.0 });
     }));
   scenes.push_back(
-    HillsScene("crop_box", 0.5, [](RenderScene& scene) { Crop(scene, VTK_CROP_SUBVOLUME); }));
+    HillsScene("crop_box", 1.0, [](RenderScene& scene) { Crop(scene, VTK_CROP_SUBVOLUME); }));
   for (const auto& [name, flags] : { std::pair{ "crop_fence", VTK_CROP_FENCE },
          { "crop_cross", VTK_CROP_CROSS }, { "crop_inverted_fence", VTK_CROP_INVERTED_FENCE } })
   {
     scenes.push_back(
-      HillsScene(name, 0.5, [flags = flags](RenderScene& scene) { Crop(scene, flags); }));
+      HillsScene(name, 1.0, [flags = flags](RenderScene& scene) { Crop(scene, flags); }));
   }
 }
 
@@ -89,22 +89,22 @@ ConformanceScene WithImage(ConformanceScene scene, const std::function<void(vtkI
 void AddGrids(ConformanceScenes& scenes)
 {
   const auto look = [](RenderScene& scene) { scene.LookFrom(1.0, 0.7, 1.6); };
-  scenes.push_back(WithImage(HillsScene("direction_matrix", 0.5, look),
+  scenes.push_back(WithImage(HillsScene("direction_matrix", 1.0, look),
     [](vtkImageData* image)
     { image->SetDirectionMatrix(0.6, -0.8, 0.0, 0.8, 0.6, 0.0, 0.0, 0.0, 1.0); }));
-  scenes.push_back(HillsScene("rotated_actor", 0.5,
+  scenes.push_back(HillsScene("rotated_actor", 1.0,
     [](RenderScene& scene)
     {
       scene.Volume->SetOrientation(25.0, -40.0, 70.0);
       scene.LookFrom(1.0, 0.7, 1.6);
     }));
-  scenes.push_back(WithImage(HillsScene("spacing", 0.5, look),
+  scenes.push_back(WithImage(HillsScene("spacing", 1.0, look),
     [](vtkImageData* image)
     {
       image->SetSpacing(1.0, 0.6, 1.7);
       image->SetOrigin(-40.0, 1000.0, 3.0);
     }));
-  scenes.push_back(WithImage(HillsScene("spacing_and_scale", 0.5,
+  scenes.push_back(WithImage(HillsScene("spacing_and_scale", 1.0,
                                [](RenderScene& scene)
                                {
                                  scene.Volume->SetScale(0.7, 2.0, 1.0);
