@@ -29,6 +29,43 @@ TEST_P(Windows, GlStateIsLeftAsFound)
   }
 }
 
+TEST_P(Windows, GlStateIsLeftAsFoundByEveryModeAndTarget)
+{
+  RenderScene scene(GetParam(), MakeImage(12, 10, 8, Bumpy), BumpyProperty());
+  vtkNew<StateChecker> mapper;
+  mapper->SetTechnique(GetParam().c_str());
+  mapper->SetInputData(MakeImage(12, 10, 8, Bumpy));
+  scene.Volume->SetMapper(mapper);
+  const auto check = [&](const std::string& what)
+  {
+    scene.Window->Render();
+    EXPECT_EQ(mapper->Before, mapper->After) << what;
+    EXPECT_EQ(mapper->Error, static_cast<GLenum>(GL_NO_ERROR)) << what;
+    EXPECT_EQ(mapper->GetFailure(), "") << what;
+  };
+  for (const int mode : std::array<int, 5>{ vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND,
+         vtkVolumeMapper::MINIMUM_INTENSITY_BLEND, vtkVolumeMapper::AVERAGE_INTENSITY_BLEND,
+         vtkVolumeBenchMapper::GRADIENT_BLEND, vtkVolumeMapper::COMPOSITE_BLEND })
+  {
+    mapper->SetBlendMode(mode);
+    check("blend mode " + std::to_string(mode));
+  }
+  for (const int order : { 0, 1 })
+  {
+    for (const int target : { 1, 2, 0 })
+    {
+      mapper->SetSliceOrder(order);
+      mapper->SetSliceTarget(target);
+      check("order " + std::to_string(order) + " target " + std::to_string(target));
+    }
+  }
+  mapper->CountSamplesOn();
+  check("counting");
+  mapper->CountSamplesOff();
+  mapper->TimeStagesOn();
+  check("timing");
+}
+
 TEST_P(Windows, ContextLossIsSurvived)
 {
   RenderScene scene(GetParam(), MakeImage(12, 10, 8, Bumpy), BumpyProperty());

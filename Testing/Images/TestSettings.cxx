@@ -1,0 +1,85 @@
+// Settings that say how a picture is made and not what it shows.
+#include "EveryTechnique.h"
+
+#include "ImageError.h"
+#include "Scene/WorkGroup.h"
+
+using namespace volumebench;
+using namespace volumebench::test;
+
+class Settings : public EveryTechnique
+{
+};
+
+TEST_P(Settings, WorkGroupsOfAnyShapeGiveThePicture)
+{
+  RenderScene scene(GetParam(), MakeImage(12, 10, 8, Bumpy), BumpyProperty());
+  // Neither side of the window is a multiple of a group's.
+  scene.Window->SetSize(61, 47);
+  const FloatPicture expected = scene.Picture();
+  ASSERT_GT(PixelAt(expected, 30, 23).Alpha, 0.1);
+  for (const glm::ivec2& shape : WorkGroupShapes())
+  {
+    scene.Mapper->SetWorkGroupShape(WorkGroupName(shape).c_str());
+    EXPECT_EQ(scene.Picture().Pixels, expected.Pixels) << WorkGroupName(shape);
+    EXPECT_EQ(scene.Mapper->GetFailure(), "");
+  }
+}
+
+TEST_P(Settings, ThreadsOfAnyNumberGiveThePicture)
+{
+  RenderScene scene(GetParam(), MakeImage(12, 10, 8, Bumpy), BumpyProperty());
+  const FloatPicture expected = scene.Picture();
+  for (const int threads : { 1, 2, 3, 4, 8, 16, 0 })
+  {
+    scene.Mapper->SetSliceThreads(threads);
+    for (const double step : { 0.37, 30.0 })
+    {
+      scene.Mapper->SetStepVoxels(step);
+      const FloatPicture picture = scene.Picture();
+      EXPECT_EQ(scene.Mapper->GetFailure(), "");
+      if (step < 1.0)
+      {
+        EXPECT_EQ(picture.Pixels, expected.Pixels) << threads << " threads";
+      }
+    }
+  }
+}
+
+TEST_P(Settings, MeasuringChangesNothing)
+{
+  RenderScene scene(GetParam(), MakeImage(12, 10, 8, Bumpy), BumpyProperty());
+  const FloatPicture expected = scene.Picture();
+  scene.Mapper->TimeStagesOn();
+  EXPECT_EQ(scene.Picture().Pixels, expected.Pixels);
+  scene.Mapper->CountSamplesOn();
+  scene.Picture();
+  scene.Mapper->CountSamplesOff();
+  scene.Mapper->TimeStagesOff();
+  EXPECT_EQ(scene.Picture().Pixels, expected.Pixels);
+}
+
+TEST_P(Settings, SettingsOfAnEarlierFrameLeaveNoTrace)
+{
+  // Through modes, integrators and targets and back, on one mapper.
+  RenderScene scene(GetParam(), MakeImage(12, 10, 8, Bumpy), BumpyProperty());
+  const FloatPicture expected = scene.Picture();
+  for (const int mode : std::array<int, 3>{ vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND,
+         vtkVolumeMapper::AVERAGE_INTENSITY_BLEND, vtkVolumeBenchMapper::GRADIENT_BLEND })
+  {
+    scene.Mapper->SetBlendMode(mode);
+    scene.Mapper->SetIntegrator(3);
+    scene.Mapper->SetSliceTarget(2);
+    scene.Mapper->SetSliceOrder(1);
+    scene.Mapper->SetSliceExtent(2);
+    EXPECT_NE(scene.Picture().Pixels, expected.Pixels);
+  }
+  scene.Mapper->SetBlendMode(vtkVolumeMapper::COMPOSITE_BLEND);
+  scene.Mapper->SetIntegrator(1);
+  scene.Mapper->SetSliceTarget(0);
+  scene.Mapper->SetSliceOrder(0);
+  scene.Mapper->SetSliceExtent(0);
+  EXPECT_EQ(scene.Picture().Pixels, expected.Pixels);
+}
+
+VOLUMEBENCH_FOR_EVERY_TECHNIQUE(Settings);
