@@ -87,7 +87,10 @@ def _sample_sentence(slow: list[SlowRow]) -> str:
     counted = [row for row in slow if row.more_samples()]
     if not counted:
         return " Its samples were not counted."
-    more = range_text([row.more_samples() for row in counted], ".2f")
+    factors = [row.more_samples() for row in counted]
+    more = range_text(factors, ".2f")
+    if all(abs(factor - 1) < 0.005 for factor in factors):
+        more = "just"
     cost = range_text([row.slower_sample() for row in counted])
     return f" It takes {more} as many samples, and each of them takes {cost} as long."
 

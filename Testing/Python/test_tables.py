@@ -146,6 +146,11 @@ def test_a_slow_technique_has_one_note(records, study):
     )
 
 
+def test_equal_counts_are_told_as_such(records, study):
+    (note,) = all_notes(study, [records[0], row("compute", 50.0, 4_000_000)])
+    assert "It takes just as many samples, and each of them takes 2.5 times" in note
+
+
 def test_a_slow_technique_without_counts_says_so(records, study):
     base = replace(records[0], samples_taken=None)
     rows = [base, row("compute", 41.0)]
