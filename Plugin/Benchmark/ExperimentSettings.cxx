@@ -11,8 +11,13 @@ namespace volumebench
 {
 namespace
 {
-void CheckVariants(const ExperimentSettings& settings)
+void CheckNames(const ExperimentSettings& settings)
 {
+  for (const int integrator : settings.Integrators)
+  {
+    IntegratorNames().NameOf(integrator);
+  }
+  CheckTechniqueSettings(settings.Own);
   const std::vector<std::string>& measured = settings.Techniques;
   for (const Variant& variant : settings.Variants)
   {
@@ -53,12 +58,7 @@ void CheckSettings(const ExperimentSettings& settings)
       (settings.ErrorWidth == 0) != (settings.ErrorHeight == 0),
     "the image size of errors is " + std::to_string(settings.ErrorWidth) + " x " +
       std::to_string(settings.ErrorHeight) + "; both must be positive, or 0 for the timed size");
-  for (const int integrator : settings.Integrators)
-  {
-    IntegratorNames().NameOf(integrator);
-  }
-  CheckTechniqueSettings(settings.Own);
-  CheckVariants(settings);
+  CheckNames(settings);
   refuse(settings.Orbit.FramesPerTurn < 1,
     "the orbit has " + std::to_string(settings.Orbit.FramesPerTurn) + " frames");
   refuse(!(settings.Orbit.Zoom > 0.0), "the zoom is " + std::to_string(settings.Orbit.Zoom));
