@@ -105,8 +105,8 @@ TEST_P(Gradients, DampingFadesLightingWithTheGradient)
   auto property = MakeConstantProperty(Tau);
   property->ShadeOn();
   property->SetAmbient(0.1);
-  property->SetDiffuse(0.8);
-  property->SetSpecular(0.0);
+  property->SetDiffuse(0.5);
+  property->SetSpecular(0.3); // eye, light and normal are in one line
   for (const double damping : { 0.0, 0.1, 0.25, 0.5 })
   {
     const auto brightness = [&](double t)
@@ -165,6 +165,64 @@ TEST_P(Gradients, SpecularHighlightFacesTheHeadlight)
   const Pixel pixel = PixelAt(scene.Picture(), 32, 32);
   EXPECT_NEAR(pixel.Red, (0.4 * 1.0 + 0.25) * pixel.Alpha, 1e-4);
   EXPECT_NEAR(pixel.Blue, (0.4 * 0.25 + 0.25) * pixel.Alpha, 1e-4);
+}
+
+TEST_P(Gradients, NormalsAreThoseOfTheStretchedWorld)
+{
+  // Per world length the field grows by 1 along x and 1/3 along z, by half of that at the border.
+  auto property = MakeConstantProperty(Tau);
+  property->ShadeOn();
+  property->SetAmbient(0.0);
+  property->SetDiffuse(1.0);
+  property->SetSpecular(0.0);
+  for (const bool bySpacing : { false, true })
+  {
+    auto image = MakeImage(9, 9, 9, [](double i, double, double k) { return i + k; });
+    RenderScene scene(GetParam(), image, property);
+    image->SetSpacing(1.0, 1.0, bySpacing ? 3.0 : 1.0);
+    scene.Volume->SetScale(1.0, 1.0, bySpacing ? 1.0 : 3.0);
+    scene.LookAlongZ(5.0);
+    scene.Mapper->SetStepVoxels(1.0 / 16.0);
+    const double voxel = bySpacing ? 3.0 : 1.0; // in the data's own length, which opacity counts
+    const auto cosine = [=](double t)
+    {
+      const double toBorder = std::min({ t / voxel, 8.0 - t / voxel, 1.0 });
+      const double alongZ = 0.5 * (1.0 + toBorder) / 3.0;
+      return alongZ / std::hypot(1.0, alongZ);
+    };
+    EXPECT_NEAR(PixelAt(scene.Picture(), 32, 32).Red, Intensity(cosine, 8.0 * voxel), 3e-4)
+      << "by spacing " << bySpacing;
+  }
+}
+
+TEST_P(Gradients, PositionalLightComesFromItsPlace)
+{
+  auto image = MakeImage(9, 9, 9, [](double, double, double k) { return 10.0 + k; });
+  image->SetOrigin(100.0, -50.0, 7.0);
+  auto property = MakeConstantProperty(Tau);
+  property->ShadeOn();
+  property->SetAmbient(0.0);
+  property->SetDiffuse(1.0);
+  property->SetSpecular(0.0);
+  RenderScene scene(GetParam(), image, property);
+  scene.LookAlongZ(5.0);
+  scene.Mapper->SetStepVoxels(1.0 / 16.0);
+  scene.Renderer->RemoveAllLights();
+  vtkNew<vtkLight> light;
+  light->SetLightTypeToSceneLight();
+  light->SetPositional(true);
+  light->SetConeAngle(180.0);
+  light->SetPosition(112.0, -46.0, 18.0);
+  light->SetFocalPoint(104.0, -46.0, 11.0);
+  light->SetColor(1.0, 1.0, 1.0);
+  scene.Renderer->AddLight(light);
+  const double aside = std::hypot(112.0 - scene.PositionOf(32, 0), -46.0 - scene.PositionOf(32, 1));
+  const auto cosine = [=](double t)
+  {
+    const double above = 18.0 - (15.0 - t); // the front face is at 15
+    return above / std::hypot(above, aside);
+  };
+  EXPECT_NEAR(PixelAt(scene.Picture(), 32, 32).Red, Intensity(cosine, 8.0), 3e-4);
 }
 
 VOLUMEBENCH_FOR_EVERY_TECHNIQUE(Gradients);
