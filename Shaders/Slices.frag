@@ -5,12 +5,14 @@
 uniform sampler2D slabRayTexture;
 
 flat in vec2 slabDepths;
+in vec3 texturePosition;
+in vec3 texturePerDepth;
 
 out vec4 fragmentColor;
 
 void main()
 {
   vec4 slabRay = texelFetch(slabRayTexture, ivec2(gl_FragCoord.xy), 0);
-  vec2 pixel = gl_FragCoord.xy + scene.rectangle.xy;
-  fragmentColor = castSlab(pixel, slabRay, slabDepths.x, slabDepths.y);
+  fragmentColor =
+    castSlab(texturePosition, texturePerDepth, slabRay, slabDepths.x, slabDepths.y);
 }

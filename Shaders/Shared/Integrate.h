@@ -144,8 +144,11 @@ FUNC vec4 slabRayOf(SCENE_PARAM vec2 pixel, real windowDepth)
 }
 
 // What one slab adds to a pixel's ray: its part between two depths, as one step. The length is that
-// of the ray, so it grows towards the edge of a perspective picture.
-FUNC vec4 castSlab(SCENE_PARAM vec2 pixel, vec4 slabRay, real nearDepth, real farDepth)
+// of the ray, so it grows towards the edge of a perspective picture. texturePosition is where the ray
+// meets the middle plane of the slab, texturePerDepth how it goes on; both change linearly over the
+// picture, so they are interpolated and not worked out.
+FUNC vec4 castSlab(SCENE_PARAM vec3 texturePosition, vec3 texturePerDepth, vec4 slabRay,
+  real nearDepth, real farDepth)
 {
   real slabBegin = max(slabRay.x, nearDepth);
   real width = min(slabRay.y, farDepth) - slabBegin;
@@ -156,8 +159,9 @@ FUNC vec4 castSlab(SCENE_PARAM vec2 pixel, vec4 slabRay, real nearDepth, real fa
   {
     return emptyRay();
   }
-  Ray ray = rayInDepth(SCENE pixel, slabRay.z, slabRay.w);
-  return contributionOf(SCENE ray, slabBegin, width, endValue(SCENE ray, slabBegin),
-    endValue(SCENE ray, slabBegin + width));
+  Ray ray = rayInSlab(SCENE texturePosition, texturePerDepth, slabRay.z, slabRay.w);
+  real stepBegin = slabBegin - REAL(0.5) * (nearDepth + farDepth);
+  return contributionOf(SCENE ray, stepBegin, width, endValue(SCENE ray, stepBegin),
+    endValue(SCENE ray, stepBegin + width));
 #endif
 }

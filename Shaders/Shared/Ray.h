@@ -41,19 +41,17 @@ FUNC Ray rayThroughPixel(SCENE_PARAM vec2 pixel)
   return rayFrom(SCENE origin, direction, scene.viewDepth.w);
 }
 
-// The same ray with view depth, relative to the plane of its origin, as its unit. What is the same
-// for all slabs that it crosses is worked out once for the pixel: see slabRayOf in Integrate.h.
-FUNC Ray rayInDepth(SCENE_PARAM vec2 pixel, real lengthPerDepth, real depthPerVoxel)
+// The part of a ray in a slab of slicing: its unit is a unit of view depth and its origin lies in the
+// middle plane of the slab, at a texture position. See slabRayOf in Integrate.h for the last two.
+FUNC Ray rayInSlab(
+  SCENE_PARAM vec3 texturePosition, vec3 texturePerDepth, real lengthPerDepth, real depthPerVoxel)
 {
-  real x = (pixel.x - scene.viewport.x) * scene.viewport.z - REAL(1.0);
-  real y = (pixel.y - scene.viewport.y) * scene.viewport.w - REAL(1.0);
   Ray ray;
-  ray.origin = xyz(scene.rayOrigin) + x * xyz(scene.rayOriginX) + y * xyz(scene.rayOriginY);
-  ray.direction = scene.depthRange.w *
-    (xyz(scene.rayDirection) + x * xyz(scene.rayDirectionX) + y * xyz(scene.rayDirectionY));
-  ray.textureOrigin = ray.origin * xyz(scene.textureScale) + xyz(scene.textureOffset);
-  ray.textureDirection = ray.direction * xyz(scene.textureScale);
-  ray.originDepth = scene.viewDepth.w;
+  ray.origin = (texturePosition - xyz(scene.textureOffset)) * xyz(scene.textureSize);
+  ray.direction = texturePerDepth * xyz(scene.textureSize);
+  ray.textureOrigin = texturePosition;
+  ray.textureDirection = texturePerDepth;
+  ray.originDepth = REAL(0.0);
   ray.lengthPerUnit = lengthPerDepth;
   ray.oneVoxel = depthPerVoxel;
   return ray;

@@ -130,9 +130,7 @@ TEST(SlabText, SlabsJoinToTheRay)
   scene.table = [](double t)
   { return midpoint64::vec4(0.5 + 0.4 * std::cos(3.0 * t), 0.0, 0.0, 1.5 + std::sin(5.0 * t)); };
   scene.viewDepth = { 0.8, 0.0, 0.0, 50.0 }; // depth grows by 0.8 for a unit of the ray
-  scene.rayDirection = { 1.0, 0.0, 0.0, 0.0 };
-  scene.depthRange.w = 1.0 / 0.8;
-  scene.textureScale = { 1.0, 1.0, 1.0, 0.0 };
+  scene.textureSize = { 1.0, 1.0, 1.0, 0.0 };
   const midpoint64::Ray ray = { { 0.0, 0.0, 0.0 }, { 1.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 },
     { 1.0, 0.0, 0.0 }, 50.0, 1.0, 1.0 };
   const midpoint64::Interval visible = { 0.25, 1.1 };
@@ -144,8 +142,10 @@ TEST(SlabText, SlabsJoinToTheRay)
   for (int slab = -2; slab < 12; ++slab)
   {
     const double nearDepth = 0.8 * (0.25 + 0.1 * slab);
+    const midpoint64::vec3 perDepth(1.0 / 0.8, 0.0, 0.0);
     gathered = midpoint64::accumulate(gathered,
-      midpoint64::castSlab(scene, midpoint64::vec2(0.0), slabRay, nearDepth, nearDepth + 0.08));
+      midpoint64::castSlab(
+        scene, (nearDepth + 0.04) * perDepth, perDepth, slabRay, nearDepth, nearDepth + 0.08));
   }
   EXPECT_NEAR(gathered.w, expected.w, 1e-9);
   EXPECT_NEAR(gathered.x, expected.x, 1e-9);
