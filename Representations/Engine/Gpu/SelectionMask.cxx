@@ -1,7 +1,7 @@
 #include "Gpu/SelectionMask.h"
 
 #include "Gpu/GlContextGuard.h"
-#include "Scene/PackScene.h"
+#include "Scene/Scene.h"
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
@@ -11,18 +11,6 @@
 
 namespace volumebench
 {
-namespace
-{
-constexpr GLuint SceneBinding = 0;
-constexpr GLsizei ViewportVertices = 3;
-
-GlStageText StageText(GlStage stage, const char* entry, const FeatureSet& features)
-{
-  const std::string preamble = "#version 330 core\n" + FeatureDefines(features);
-  return { stage, SpecializeKernel(entry, preamble, EmbeddedKernel) };
-}
-}
-
 void SelectionMask::DrawPicture(
   vtkOpenGLRenderWindow* window, const glm::ivec4& viewport, const std::function<void()>& draw)
 {
@@ -38,38 +26,12 @@ void SelectionMask::DrawPicture(
   draw();
 }
 
-const GlProgram& SelectionMask::ProgramFor(const FeatureSet& features)
-{
-  std::unique_ptr<GlProgram>& program = this->Programs[features.to_ulong()];
-  if (!program)
-  {
-    auto built = std::make_unique<GlProgram>();
-    built->Build({ StageText(GlStage::Vertex, "Viewport.vert", features),
-      StageText(GlStage::Fragment, "SelectionMask.frag", features) });
-    built->ConnectBlock("SceneBlock", SceneBinding);
-    program = std::move(built);
-  }
-  return *program;
-}
-
-void SelectionMask::Upload(const Scene& scene)
-{
-  const SceneBlock block = RoundToFloat(PackScene(scene));
-  if (!this->SceneBuffer)
-  {
-    glGenBuffers(1, &this->SceneBuffer);
-    glGenVertexArrays(1, &this->VertexArray);
-  }
-  glBindBuffer(GL_UNIFORM_BUFFER, this->SceneBuffer);
-  glBufferData(GL_UNIFORM_BUFFER, sizeof(block), &block, GL_STREAM_DRAW);
-  glBindBufferBase(GL_UNIFORM_BUFFER, SceneBinding, this->SceneBuffer);
-}
-
 void SelectionMask::Mark(const Scene& scene, vtkOpenGLRenderWindow* window, const glm::vec3& color)
 {
   const GlContextGuard guard(window);
-  this->Upload(scene);
-  const GlProgram& program = this->ProgramFor(FeaturesNeededBy(scene));
+  this->Numbers.Bind(scene);
+  const GlProgram& program =
+    this->Programs.Get({ "Viewport.vert", "SelectionMask.frag" }, FeaturesNeededBy(scene));
   program.Bind(window);
   {
     TextureUnits units(window);
@@ -82,26 +44,18 @@ void SelectionMask::Mark(const Scene& scene, vtkOpenGLRenderWindow* window, cons
     state->vtkglDisable(GL_CULL_FACE);
     state->vtkglEnable(GL_DEPTH_TEST);
     state->vtkglDepthMask(GL_TRUE);
-    glBindVertexArray(this->VertexArray);
-    glDrawArrays(GL_TRIANGLES, 0, ViewportVertices);
+    this->Numbers.DrawViewport();
   }
   GlProgram::Unbind();
-  glBindBufferBase(GL_UNIFORM_BUFFER, SceneBinding, 0);
+  SceneBuffer::Unbind();
 }
 
 void SelectionMask::Release()
 {
   this->Depth.Release();
   this->Picture.Release();
-  for (auto& [bits, program] : this->Programs)
-  {
-    program->Release();
-  }
-  if (this->SceneBuffer)
-  {
-    glDeleteBuffers(1, &this->SceneBuffer);
-    glDeleteVertexArrays(1, &this->VertexArray);
-  }
+  this->Programs.Release();
+  this->Numbers.Release();
   this->Forget();
 }
 
@@ -109,7 +63,7 @@ void SelectionMask::Forget()
 {
   this->Depth.Forget();
   this->Picture.Forget();
-  this->Programs.clear();
-  this->SceneBuffer = this->VertexArray = 0;
+  this->Programs.Forget();
+  this->Numbers.Forget();
 }
 }

@@ -4,17 +4,15 @@
 #ifndef volumebench_SelectionMask_h
 #define volumebench_SelectionMask_h
 
-#include "Gpu/GlProgram.h"
+#include "Gpu/KernelPrograms.h"
 #include "Gpu/OffscreenTarget.h"
 #include "Gpu/OpaqueDepth.h"
-#include "Scene/Features.h"
+#include "Gpu/SceneBuffer.h"
 
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
 #include <functional>
-#include <map>
-#include <memory>
 
 class vtkOpenGLRenderWindow;
 
@@ -40,14 +38,10 @@ public:
   void Forget();
 
 private:
-  const GlProgram& ProgramFor(const FeatureSet& features);
-  void Upload(const Scene& scene);
-
   OpaqueDepth Depth;
   OffscreenTarget Picture;
-  std::map<unsigned long, std::unique_ptr<GlProgram>> Programs; // by features
-  unsigned int SceneBuffer = 0;
-  unsigned int VertexArray = 0; // empty: the vertex stage makes its own positions
+  KernelPrograms Programs;
+  SceneBuffer Numbers;
 };
 }
 

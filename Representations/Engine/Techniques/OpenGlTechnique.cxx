@@ -10,34 +10,10 @@
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 
-#include <chrono>
-
 namespace volumebench
 {
 namespace
 {
-constexpr GLuint SceneBinding = 0;
-constexpr GLsizei BoxVertices = 36;
-constexpr GLsizei ViewportVertices = 3;
-
-GlStage StageOf(const std::string& entry)
-{
-  const std::string extension = entry.substr(entry.rfind('.'));
-  if (extension == ".comp")
-  {
-    return GlStage::Compute;
-  }
-  return extension == ".vert" ? GlStage::Vertex : GlStage::Fragment;
-}
-
-GlStageText StageText(const char* entry, const FeatureSet& features, const std::string& defines)
-{
-  const GlStage stage = StageOf(entry);
-  const char* version = stage == GlStage::Compute ? "#version 430 core\n" : "#version 330 core\n";
-  return { stage,
-    SpecializeKernel(entry, version + FeatureDefines(features) + defines, EmbeddedKernel) };
-}
-
 // A mirrored volume turns the winding of its box's faces.
 GLenum FrontFacesOf(const Scene& scene)
 {
@@ -56,41 +32,7 @@ void OpenGlTechnique::Prepare(const Scene& scene, vtkOpenGLRenderWindow* window)
 const GlProgram& OpenGlTechnique::ProgramOf(
   const std::vector<const char*>& entries, const std::string& defines)
 {
-  std::string key = this->Features.to_string() + defines;
-  for (const char* entry : entries)
-  {
-    key += std::string(" ") + entry;
-  }
-  std::unique_ptr<GlProgram>& program = this->Programs[key];
-  if (!program)
-  {
-    const auto begin = std::chrono::steady_clock::now();
-    std::vector<GlStageText> stages;
-    for (const char* entry : entries)
-    {
-      stages.push_back(StageText(entry, this->Features, defines));
-    }
-    auto built = std::make_unique<GlProgram>();
-    built->Build(stages);
-    built->ConnectBlock("SceneBlock", SceneBinding);
-    program = std::move(built);
-    this->CompileMs =
-      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
-  }
-  return *program;
-}
-
-void OpenGlTechnique::UploadBlock(const Scene& scene)
-{
-  const SceneBlock block = RoundToFloat(PackScene(scene));
-  if (!this->SceneBuffer)
-  {
-    glGenBuffers(1, &this->SceneBuffer);
-    glGenVertexArrays(1, &this->VertexArray);
-  }
-  glBindBuffer(GL_UNIFORM_BUFFER, this->SceneBuffer);
-  glBufferData(GL_UNIFORM_BUFFER, sizeof(block), &block, GL_STREAM_DRAW);
-  glBindBufferBase(GL_UNIFORM_BUFFER, SceneBinding, this->SceneBuffer);
+  return this->Programs.Get(entries, this->Features, defines);
 }
 
 void OpenGlTechnique::Render(const Scene& scene, vtkOpenGLRenderWindow* window)
@@ -105,10 +47,10 @@ void OpenGlTechnique::Render(const Scene& scene, vtkOpenGLRenderWindow* window)
     {
       this->Depth.Capture(window, scene.Camera.Viewport);
     }
-    this->UploadBlock(scene);
+    this->Numbers.Bind(scene);
     this->Draw(scene, window, rectangle);
     GlProgram::Unbind();
-    glBindBufferBase(GL_UNIFORM_BUFFER, SceneBinding, 0);
+    SceneBuffer::Unbind();
   }
   this->LastStages = this->Stages.Collect();
 }
@@ -133,8 +75,7 @@ void OpenGlTechnique::DrawTriangle(vtkOpenGLRenderWindow* window, const glm::ive
     state->vtkglEnable(GL_SCISSOR_TEST);
     state->vtkglScissor(rectangle->x, rectangle->y, rectangle->z, rectangle->w);
   }
-  glBindVertexArray(this->VertexArray);
-  glDrawArrays(GL_TRIANGLES, 0, ViewportVertices);
+  this->Numbers.DrawViewport();
 }
 
 void OpenGlTechnique::DrawBoxFaces(const Scene& scene, vtkOpenGLRenderWindow* window, bool back)
@@ -146,8 +87,7 @@ void OpenGlTechnique::DrawBoxFaces(const Scene& scene, vtkOpenGLRenderWindow* wi
   const GLenum other = front == GL_FRONT ? GL_BACK : GL_FRONT;
   state->vtkglEnable(GL_CULL_FACE);
   state->vtkglCullFace(back ? front : other);
-  glBindVertexArray(this->VertexArray);
-  glDrawArrays(GL_TRIANGLES, 0, BoxVertices);
+  this->Numbers.DrawBox();
 }
 
 BoxFaces::Programs OpenGlTechnique::BoxFacePrograms()
@@ -192,7 +132,7 @@ SetUpCosts OpenGlTechnique::GetSetUpCosts() const
   SetUpCosts costs;
   costs.UploadMs = this->Textures.GetUploadMs();
   costs.TablesMs = this->Textures.GetTablesMs();
-  costs.CompileMs = this->CompileMs;
+  costs.CompileMs = this->Programs.GetCompileMs();
   costs.BytesOnDevice = this->Textures.GetBytesOnDevice() + this->GetOwnBytes();
   return costs;
 }
@@ -203,18 +143,8 @@ void OpenGlTechnique::Release()
   this->Textures.Release();
   this->Depth.Release();
   this->Stages.Release();
-  for (auto& [key, program] : this->Programs)
-  {
-    if (program)
-    {
-      program->Release();
-    }
-  }
-  if (this->SceneBuffer)
-  {
-    glDeleteBuffers(1, &this->SceneBuffer);
-    glDeleteVertexArrays(1, &this->VertexArray);
-  }
+  this->Programs.Release();
+  this->Numbers.Release();
   this->Forget();
 }
 
@@ -224,7 +154,7 @@ void OpenGlTechnique::Forget()
   this->Textures.Forget();
   this->Depth.Forget();
   this->Stages.Forget();
-  this->Programs.clear();
-  this->SceneBuffer = this->VertexArray = 0;
+  this->Programs.Forget();
+  this->Numbers.Forget();
 }
 }

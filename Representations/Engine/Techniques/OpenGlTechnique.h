@@ -5,17 +5,16 @@
 #define volumebench_OpenGlTechnique_h
 
 #include "Gpu/FrameStages.h"
-#include "Gpu/GlProgram.h"
 #include "Gpu/GlTexture.h"
+#include "Gpu/KernelPrograms.h"
 #include "Gpu/OpaqueDepth.h"
+#include "Gpu/SceneBuffer.h"
 #include "Gpu/SceneTextures.h"
 #include "Techniques/BoxFaces.h"
 #include "Techniques/Technique.h"
 
 #include <glm/vec4.hpp>
 
-#include <map>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -77,17 +76,13 @@ protected:
   FrameStages& GetFrameStages() { return this->Stages; }
 
 private:
-  void UploadBlock(const Scene& scene);
-
   SceneTextures Textures;
+  SceneBuffer Numbers;
   OpaqueDepth Depth;
   FrameStages Stages;
   std::vector<StageTime> LastStages;
-  std::map<std::string, std::unique_ptr<GlProgram>> Programs; // by entries, features and defines
+  KernelPrograms Programs;
   FeatureSet Features;
-  double CompileMs = 0.0;
-  unsigned int SceneBuffer = 0;
-  unsigned int VertexArray = 0; // empty: the vertex stages make their own positions
 };
 }
 
