@@ -11,7 +11,11 @@ namespace volumebench
 {
 namespace
 {
-constexpr int MostParts = 64; // into which a segment is cut to attenuate its colour
+// Into which a segment is cut to attenuate its colour: what is neglected within a part shrinks with
+// the square of its depth, so thin segments need few.
+constexpr int FewestParts = 4;
+constexpr int MostParts = 64;
+constexpr double PartsPerDepth = 128.0;
 
 // Integrals of extinction and of colour times extinction along a table whose entries are joined by
 // straight lines, from its first entry to any point (in entries).
@@ -68,7 +72,14 @@ glm::dvec4 SegmentOf(const PrefixIntegrals& integrals, double front, double back
   {
     return integrals.At(0.5 * (front + back));
   }
-  const int parts = std::clamp(static_cast<int>(std::ceil(std::abs(span))), 1, MostParts);
+  const glm::dvec4 whole = (integrals.Until(back) - integrals.Until(front)) / span;
+  if (!(whole.w > 0.0))
+  {
+    return { glm::dvec3(integrals.At(0.5 * (front + back))), 0.0 };
+  }
+  const double wanted = std::min(
+    std::ceil(std::abs(span)), std::max<double>(FewestParts, PartsPerDepth * whole.w * length));
+  const int parts = std::clamp(static_cast<int>(std::min<double>(wanted, MostParts)), 1, MostParts);
   glm::dvec3 color(0.0);
   glm::dvec3 plain(0.0);
   double passing = 1.0;
@@ -88,11 +99,11 @@ glm::dvec4 SegmentOf(const PrefixIntegrals& integrals, double front, double back
       extinction += part.w;
     }
   }
-  const double opacity = -std::expm1(-extinction * length);
   if (!(extinction > 0.0))
   {
-    return { glm::dvec3(integrals.At(0.5 * (front + back))), 0.0 };
+    return { glm::dvec3(whole) / whole.w, whole.w }; // the parts are lost in rounding
   }
+  const double opacity = -std::expm1(-extinction * length);
   // Where the segment is so thin that its opacity has no digits, attenuation plays no part.
   return { opacity > 1.0e-12 ? color / opacity : plain / extinction, extinction };
 }
