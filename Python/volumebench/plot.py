@@ -17,6 +17,7 @@ from .summary import in_scene, is_peer, lines, sampling_text  # noqa: E402
 from .summary import scenes_of, standard_rows  # noqa: E402
 from .techniques import PARAVIEW, TECHNIQUES  # noqa: E402
 
+LABEL_ROOM = 1.3  # times as long: closer dots share the label of their step
 FOLDER = "plots"
 PEER_COLOR = "#3a3f4a"
 COLORS = (
@@ -198,14 +199,27 @@ def _curve(panel: Any, rows: list[Record]) -> None:
     )
     if not left and len(ordered) > 1:
         for row, side in ((ordered[0], (5, 3)), (ordered[-1], (-8, -12))):
-            panel.annotate(
-                f"step {row.step_voxels:g}",
-                (row.frame_ms.median, row.error.rmse),
-                xytext=side,
-                textcoords="offset points",
-                fontsize=7,
-                color="#5b616d",
-            )
+            _label_step(panel, row, side)
+
+
+def _label_step(panel: Any, row: Record, side: tuple[int, int]) -> None:
+    """Write the step beside a dot, unless the same words stand there already."""
+    words = f"step {row.step_voxels:g}"
+    time, error = row.frame_ms.median, row.error.rmse
+    for text in panel.texts:
+        apart = max(
+            time / text.xy[0], text.xy[0] / time, error / text.xy[1], text.xy[1] / error
+        )
+        if text.get_text() == words and apart < LABEL_ROOM:
+            return
+    panel.annotate(
+        words,
+        (time, error),
+        xytext=side,
+        textcoords="offset points",
+        fontsize=7,
+        color="#5b616d",
+    )
 
 
 def _fps_figure(rows: list[Record]) -> Any:
