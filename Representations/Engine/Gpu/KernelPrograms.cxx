@@ -40,6 +40,7 @@ const GlProgram& KernelPrograms::Get(
   }
   const auto begin = std::chrono::steady_clock::now();
   std::vector<GlStageText> stages;
+  stages.reserve(entries.size());
   for (const char* entry : entries)
   {
     stages.push_back(StageText(entry, features, defines));

@@ -64,26 +64,20 @@ private:
   std::vector<glm::dvec4> Sums;
 };
 
-glm::dvec4 SegmentOf(const PrefixIntegrals& integrals, double front, double back, double length)
+int PartsOf(double span, double depth)
 {
-  const double span = back - front;
-  // Below this the difference of two prefix sums has no digits left.
-  if (std::abs(span) < 1.0e-6)
-  {
-    return integrals.At(0.5 * (front + back));
-  }
-  const glm::dvec4 whole = (integrals.Until(back) - integrals.Until(front)) / span;
-  if (!(whole.w > 0.0))
-  {
-    return { glm::dvec3(integrals.At(0.5 * (front + back))), 0.0 };
-  }
-  const double wanted = std::min(
-    std::ceil(std::abs(span)), std::max<double>(FewestParts, PartsPerDepth * whole.w * length));
-  const int parts = std::clamp(static_cast<int>(std::min<double>(wanted, MostParts)), 1, MostParts);
+  const double most = std::min<double>(MostParts, std::ceil(std::abs(span)));
+  return std::max(
+    1, static_cast<int>(std::min(most, std::max<double>(FewestParts, PartsPerDepth * depth))));
+}
+
+// Colour of a segment, attenuated from part to part; `whole` holds its means.
+glm::dvec3 AttenuatedColor(const PrefixIntegrals& integrals, double front, double span,
+  double length, const glm::dvec4& whole)
+{
+  const int parts = PartsOf(span, whole.w * length);
   glm::dvec3 color(0.0);
-  glm::dvec3 plain(0.0);
   double passing = 1.0;
-  double extinction = 0.0;
   glm::dvec4 before = integrals.Until(front);
   for (int i = 1; i <= parts; ++i)
   {
@@ -95,17 +89,28 @@ glm::dvec4 SegmentOf(const PrefixIntegrals& integrals, double front, double back
       const double opacity = -std::expm1(-part.w * length);
       color += passing * opacity * glm::dvec3(part) / part.w;
       passing *= 1.0 - opacity;
-      plain += glm::dvec3(part);
-      extinction += part.w;
     }
   }
-  if (!(extinction > 0.0))
-  {
-    return { glm::dvec3(whole) / whole.w, whole.w }; // the parts are lost in rounding
-  }
-  const double opacity = -std::expm1(-extinction * length);
   // Where the segment is so thin that its opacity has no digits, attenuation plays no part.
-  return { opacity > 1.0e-12 ? color / opacity : plain / extinction, extinction };
+  const double opacity = 1.0 - passing;
+  return opacity > 1.0e-8 ? color / opacity : glm::dvec3(whole) / whole.w;
+}
+
+glm::dvec4 SegmentOf(const PrefixIntegrals& integrals, double front, double back, double length)
+{
+  const double span = back - front;
+  const glm::dvec4 middle = integrals.At(0.5 * (front + back));
+  // Below this the difference of two prefix sums has no digits left.
+  if (std::abs(span) < 1.0e-6)
+  {
+    return middle;
+  }
+  const glm::dvec4 whole = (integrals.Until(back) - integrals.Until(front)) / span;
+  if (!(whole.w > 0.0))
+  {
+    return { glm::dvec3(middle), 0.0 };
+  }
+  return { AttenuatedColor(integrals, front, span, length, whole), whole.w };
 }
 }
 
