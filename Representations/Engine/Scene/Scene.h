@@ -22,6 +22,8 @@
 
 namespace volumebench
 {
+class ExactTransferFunction;
+
 /// A scene that cannot be drawn honestly. The message is one line that names the cause.
 class SceneError : public std::runtime_error
 {
@@ -93,6 +95,9 @@ struct TransferFunction
   double ColorLow = 0.0;
   double ColorHigh = 1.0;
   double UnitDistance = 1.0; // data units over which the opacities are given
+
+  /// The functions themselves, over which the table is sampled.
+  std::shared_ptr<const ExactTransferFunction> Exact;
 
   /// For PreIntegrated: SegmentSize x SegmentSize entries over (front, back) from Low to High; row
   /// by row of back. Null unless the scene needs it.

@@ -1,6 +1,8 @@
 #include "Scene/TransferFunctionTable.h"
 
-#include "vtkColorTransferFunction.h"
+#include "Scene/ExactTransferFunction.h"
+#include "Scene/PropertyFunctions.h"
+
 #include "vtkPiecewiseFunction.h"
 #include "vtkVolumeProperty.h"
 
@@ -14,73 +16,6 @@ namespace
 {
 constexpr int SmallestSize = 1024;
 constexpr double EntriesPerKnotGap = 8.0;
-
-struct Functions
-{
-  vtkPiecewiseFunction* Opacity = nullptr;
-  vtkColorTransferFunction* Color = nullptr; // null when gray
-  vtkPiecewiseFunction* Gray = nullptr;
-
-  bool Clamping() const
-  {
-    return this->Opacity->GetClamping() &&
-      (this->Color ? this->Color->GetClamping() != 0 : this->Gray->GetClamping() != 0);
-  }
-
-  std::set<double> OpacityKnots() const { return KnotsOf(this->Opacity); }
-
-  std::set<double> ColorKnots() const
-  {
-    if (!this->Color)
-    {
-      return KnotsOf(this->Gray);
-    }
-    std::set<double> knots;
-    double node[6];
-    for (int i = 0; i < this->Color->GetSize(); ++i)
-    {
-      this->Color->GetNodeValue(i, node);
-      knots.insert(node[0]);
-    }
-    return knots;
-  }
-
-private:
-  static std::set<double> KnotsOf(vtkPiecewiseFunction* function)
-  {
-    std::set<double> knots;
-    double node[4];
-    for (int i = 0; i < function->GetSize(); ++i)
-    {
-      function->GetNodeValue(i, node);
-      knots.insert(node[0]);
-    }
-    return knots;
-  }
-};
-
-Functions FunctionsOf(vtkVolumeProperty* property)
-{
-  Functions functions;
-  functions.Opacity = property->GetScalarOpacity(0);
-  if (functions.Opacity->GetSize() < 1)
-  {
-    throw SceneError("the opacity function has no points");
-  }
-  if (property->GetColorChannels(0) == 1)
-  {
-    functions.Gray = property->GetGrayTransferFunction(0);
-  }
-  else
-  {
-    functions.Color = property->GetRGBTransferFunction(0);
-  }
-  if ((functions.Color ? functions.Color->GetSize() : functions.Gray->GetSize()) < 1)
-  {
-    throw SceneError("the colour function has no points");
-  }
-  return functions;
-}
 
 struct Domain
 {
@@ -114,8 +49,8 @@ int ChooseSize(const std::set<double>& knots, const Domain& domain, int largestS
 }
 
 // Chooses the domains of opacity and colour; returns the size of the table.
-int ChooseDomains(const Functions& functions, const double range[2], const double* colorRange,
-  int largestSize, TransferFunction& result)
+int ChooseDomains(const PropertyFunctions& functions, const double range[2],
+  const double* colorRange, int largestSize, TransferFunction& result)
 {
   std::set<double> opacityKnots = functions.OpacityKnots();
   std::set<double> colorKnots = functions.ColorKnots();
@@ -135,24 +70,11 @@ int ChooseDomains(const Functions& functions, const double range[2], const doubl
     ChooseSize(opacityKnots, opacity, largestSize), ChooseSize(colorKnots, color, largestSize));
 }
 
-void Fill(const Functions& functions, double unitDistance, int size, TransferFunction& result)
+void Fill(
+  const PropertyFunctions& functions, double unitDistance, int size, TransferFunction& result)
 {
-  std::vector<double> opacity(size);
-  std::vector<double> color(std::size_t(3) * size);
-  functions.Opacity->GetTable(result.Low, result.High, size, opacity.data());
-  if (functions.Color)
-  {
-    functions.Color->GetTable(result.ColorLow, result.ColorHigh, size, color.data());
-  }
-  else
-  {
-    std::vector<double> gray(size);
-    functions.Gray->GetTable(result.ColorLow, result.ColorHigh, size, gray.data());
-    for (int i = 0; i < size; ++i)
-    {
-      std::fill_n(color.data() + std::ptrdiff_t(3) * i, 3, gray[i]);
-    }
-  }
+  const std::vector<double> opacity = functions.SampleOpacity(result.Low, result.High, size);
+  const std::vector<double> color = functions.SampleColor(result.ColorLow, result.ColorHigh, size);
   result.Table.resize(size);
   for (int i = 0; i < size; ++i)
   {
@@ -195,6 +117,17 @@ void FillGradientTable(vtkVolumeProperty* property, TransferFunction& result)
 }
 }
 
+double CheckedUnitDistance(vtkVolumeProperty* property)
+{
+  const double unitDistance = property->GetScalarOpacityUnitDistance(0);
+  if (!(unitDistance > 0.0) || !std::isfinite(unitDistance))
+  {
+    throw SceneError(
+      "the scalar opacity unit distance is " + std::to_string(unitDistance) + ", not positive");
+  }
+  return unitDistance;
+}
+
 double ExtinctionOfOpacity(double opacity, double unitDistance)
 {
   const double largest = 1.0 - std::ldexp(1.0, -24);
@@ -204,13 +137,8 @@ double ExtinctionOfOpacity(double opacity, double unitDistance)
 TransferFunction BuildTransferFunction(
   vtkVolumeProperty* property, const double dataRange[2], int largestSize, const double* colorRange)
 {
-  const double unitDistance = property->GetScalarOpacityUnitDistance(0);
-  if (!(unitDistance > 0.0) || !std::isfinite(unitDistance))
-  {
-    throw SceneError(
-      "the scalar opacity unit distance is " + std::to_string(unitDistance) + ", not positive");
-  }
-  const Functions functions = FunctionsOf(property);
+  const double unitDistance = CheckedUnitDistance(property);
+  const PropertyFunctions functions(property);
   TransferFunction result;
   const int size = ChooseDomains(functions, dataRange, colorRange, largestSize, result);
   Fill(functions, unitDistance, size, result);
@@ -218,9 +146,9 @@ TransferFunction BuildTransferFunction(
   result.UnitDistance = unitDistance;
   FillGradientTable(property, result);
 
-  ExtendStamp(result.Stamp, functions.Opacity->GetMTime());
-  ExtendStamp(
-    result.Stamp, functions.Color ? functions.Color->GetMTime() : functions.Gray->GetMTime());
+  result.Exact = std::make_shared<const ExactTransferFunction>(property);
+
+  ExtendStamp(result.Stamp, functions.GetStamp());
   ExtendStamp(result.Stamp, unitDistance);
   ExtendStamp(result.Stamp, dataRange[0]);
   ExtendStamp(result.Stamp, dataRange[1]);

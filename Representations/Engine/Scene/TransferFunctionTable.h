@@ -13,6 +13,9 @@ namespace volumebench
 /// Extinction per data unit of an opacity per `unitDistance`: -ln(1 - a) / d, a at most 1 - 2^-24.
 VOLUMEBENCHENGINE_EXPORT double ExtinctionOfOpacity(double opacity, double unitDistance);
 
+/// Data units over which the opacities of component 0 are given. Throws SceneError unless positive.
+VOLUMEBENCHENGINE_EXPORT double CheckedUnitDistance(vtkVolumeProperty* property);
+
 /// Samples the functions of component 0 over the part of `dataRange` in which they change; values
 /// outside that part take the value at its ends. The table is as fine as the closest two knots
 /// ask for, between 1024 and `largestSize` entries.
