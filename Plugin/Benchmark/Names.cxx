@@ -39,7 +39,7 @@ const std::string& NameTable::NameOf(int number) const
 const NameTable& IntegratorNames()
 {
   static const NameTable names(
-    "integrator", { { "Left", 0 }, { "Midpoint", 1 }, { "PreIntegrated", 3 } });
+    "integrator", { { "Left", 0 }, { "Midpoint", 1 }, { "Segment", 2 }, { "PreIntegrated", 3 } });
   return names;
 }
 

@@ -44,7 +44,7 @@ public:
   ///@}
 
   ///@{
-  /** Integrators by name, "Left", "Midpoint" or "PreIntegrated". */
+  /** Integrators by name, "Left", "Midpoint", "Segment" or "PreIntegrated". */
   void AddIntegrator(const char* name);
   void ClearIntegrators();
   ///@}

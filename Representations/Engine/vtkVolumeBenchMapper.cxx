@@ -195,6 +195,7 @@ void vtkVolumeBenchMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Technique: " << this->Technique << "\n";
   os << indent << "Integrator: " << this->Integrator << "\n";
   os << indent << "StepVoxels: " << this->StepVoxels << "\n";
+  os << indent << "TableSize: " << this->TableSize << "\n";
   os << indent << "TerminationThreshold: " << this->TerminationThreshold << "\n";
   os << indent << "RaySetUp: " << this->RaySetUp << "\n";
   os << indent << "WorkGroupShape: " << this->WorkGroupShape << "\n";

@@ -60,9 +60,10 @@ public:
 
   ///@{
   /**
-   * 0: Left, sampled where a step begins (first order); 1: Midpoint (second order, default); 3:
-   * PreIntegrated, each step taken from a table over the values at its two ends (Engel et al.
-   * 2001). Matters for the blend modes Composite and Gradient.
+   * 0: Left, sampled where a step begins (first order); 1: Midpoint (second order, default); 2:
+   * Segment, each step taken from prefix integrals of the transfer function between the values at
+   * its two ends: exact for narrow peaks and opaque steps; 3: PreIntegrated, the same from a table
+   * over both values (Engel et al. 2001). Matters for the blend modes Composite and Gradient.
    */
   vtkSetMacro(Integrator, int);
   vtkGetMacro(Integrator, int);
@@ -76,6 +77,15 @@ public:
    */
   vtkSetMacro(StepVoxels, double);
   vtkGetMacro(StepVoxels, double);
+  ///@}
+
+  ///@{
+  /**
+   * Entries of the table of the transfer functions; 0 (default): as many as its closest two points
+   * ask for, between 1024 and what the device takes.
+   */
+  vtkSetMacro(TableSize, int);
+  vtkGetMacro(TableSize, int);
   ///@}
 
   ///@{
@@ -111,8 +121,8 @@ public:
   ///@{
   /**
    * Technique compute: pixels of a work group as "WIDTHxHEIGHT": one of the 18 shapes from 4x1 to
-   * 16x8 in the table of Sans & Carmona 2016, or 16x16 or 32x16, which they tried as well; or "Auto"
-   * (default), which measures a few of them once per class of scene.
+   * 16x8 in the table of Sans & Carmona 2016, or 16x16 or 32x16, which they tried as well; or
+   * "Auto" (default), which measures a few of them once per class of scene.
    */
   vtkSetStdStringFromCharMacro(WorkGroupShape);
   vtkGetCharFromStdStringMacro(WorkGroupShape);
@@ -235,6 +245,7 @@ protected:
   std::string Technique = "single-pass";
   int Integrator = 1;
   double StepVoxels = 0.5;
+  int TableSize = 0;
   double TerminationThreshold = 0.001;
   int RaySetUp = 1;
   std::string WorkGroupShape = "Auto";

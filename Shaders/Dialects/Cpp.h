@@ -3,6 +3,7 @@
 using vec2 = glm::vec<2, real>;
 using vec3 = glm::vec<3, real>;
 using vec4 = glm::vec<4, real>;
+using ivec4 = glm::ivec4;
 using glm::ceil;
 using glm::dot;
 using glm::exp;
@@ -37,6 +38,7 @@ struct BackendScene : SceneBlock
   std::function<real(vec3)> field; // by texture coordinate
   std::function<vec4(vec3)> texel; // the same for several components
   std::function<vec4(real)> table; // by table coordinate
+  std::function<ivec4(int)> prefixTable;
   std::function<vec4(real, real)> segmentTable;
   std::function<real(real)> gradientTable;
   std::function<int(int, int, int)> blanking; // by cell
@@ -55,6 +57,11 @@ FUNC vec4 texelAt(SCENE_PARAM vec3 position)
 FUNC vec4 tableAt(SCENE_PARAM real coordinate)
 {
   return scene.table(coordinate);
+}
+
+FUNC ivec4 prefixAt(SCENE_PARAM int index)
+{
+  return scene.prefixTable(index);
 }
 
 FUNC vec4 segmentTableAt(SCENE_PARAM real front, real back)

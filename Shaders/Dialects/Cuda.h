@@ -5,6 +5,7 @@ typedef float real;
 typedef float2 vec2;
 typedef float3 vec3;
 typedef float4 vec4;
+typedef int4 ivec4;
 #define FUNC __device__ inline
 #define STRUCT(name) struct name
 #define SCENE_PARAM const BackendScene &scene,
@@ -28,6 +29,7 @@ struct BackendScene : SceneBlock
 {
   cudaTextureObject_t volumeTexture;
   cudaTextureObject_t tableTexture;
+  cudaTextureObject_t prefixTexture;          // with WITH_SEGMENT; not filtered nor normalized
   cudaTextureObject_t segmentTexture;         // with WITH_PREINTEGRATED
   cudaTextureObject_t gradientOpacityTexture; // with WITH_GRADIENT_OPACITY
   cudaTextureObject_t blankingTexture;        // with WITH_BLANKING; not filtered nor normalized
@@ -61,6 +63,13 @@ FUNC vec4 tableAt(SCENE_PARAM real coordinate)
 {
   return tex1D<float4>(scene.tableTexture, coordinate);
 }
+
+#if WITH_SEGMENT
+FUNC ivec4 prefixAt(SCENE_PARAM int index)
+{
+  return tex1Dfetch<int4>(scene.prefixTexture, index);
+}
+#endif
 
 #if WITH_PREINTEGRATED
 FUNC vec4 segmentTableAt(SCENE_PARAM real front, real back)

@@ -27,6 +27,15 @@ vec4 tableAt(real coordinate)
   return textureLod(transferFunctionTexture, coordinate, 0.0);
 }
 
+#if WITH_SEGMENT
+uniform isampler1D prefixTexture;
+
+ivec4 prefixAt(int index)
+{
+  return texelFetch(prefixTexture, index, 0);
+}
+#endif
+
 #if WITH_PREINTEGRATED
 uniform sampler2D segmentTexture;
 

@@ -4,10 +4,18 @@ typedef float real;
 typedef float2 vec2;
 typedef float3 vec3;
 typedef float4 vec4;
+typedef int4 ivec4;
 #define FUNC
 #define STRUCT(name)                                                                               \
   typedef struct name name;                                                                        \
   struct name
+#if WITH_SEGMENT
+#define PREFIX_PARAM global const int4 *prefixTable,
+#define PREFIX prefixTable,
+#else
+#define PREFIX_PARAM
+#define PREFIX
+#endif
 #if WITH_PREINTEGRATED
 #define SEGMENT_PARAM read_only image2d_t segmentImage,
 #define SEGMENT segmentImage,
@@ -31,8 +39,8 @@ typedef float4 vec4;
 #endif
 #define SCENE_PARAM                                                                                \
   const SceneBlock scene, read_only image3d_t volumeImage,                                         \
-    read_only image2d_t tableImage, SEGMENT_PARAM GRADIENT_PARAM BLANKING_PARAM
-#define SCENE scene, volumeImage, tableImage, SEGMENT GRADIENT BLANKING
+    read_only image2d_t tableImage, PREFIX_PARAM SEGMENT_PARAM GRADIENT_PARAM BLANKING_PARAM
+#define SCENE scene, volumeImage, tableImage, PREFIX SEGMENT GRADIENT BLANKING
 #define REAL(x) ((float)(x))
 #define TO_REAL(x) ((float)(x))
 #define TO_INT(x) ((int)(x))
@@ -75,6 +83,13 @@ FUNC vec4 tableAt(SCENE_PARAM real coordinate)
 {
   return read_imagef(tableImage, linearSampler, (float2)(coordinate, 0.5f));
 }
+
+#if WITH_SEGMENT
+FUNC ivec4 prefixAt(SCENE_PARAM int index)
+{
+  return prefixTable[index];
+}
+#endif
 
 #if WITH_PREINTEGRATED
 FUNC vec4 segmentTableAt(SCENE_PARAM real front, real back)

@@ -1,9 +1,10 @@
 // The one owner of the loop along a ray: I = integral of C tau exp(-A) dt with A = integral of tau.
 // Each step is the exact exponential of an extinction times the step's length, so that opacity stays
 // in [0, 1] for any extinction. Left samples where a step begins (first order, as VTK does), Midpoint
-// in its middle (second order), PreIntegrated looks up the mean over all values between its two ends
-// (second order, and exact for any transfer function along a linear field); Etiene et al., TVCG
-// 2014, give the orders.
+// in its middle (second order), Segment and PreIntegrated take the mean over all values between its
+// two ends (second order, and exact for any transfer function along a linear field): Segment from
+// prefix integrals, PreIntegrated from a table over both values. Etiene et al., TVCG 2014, give the
+// orders.
 
 // Whether the extreme of a step is that of its two ends, which finds the ends of the ray exactly
 // and extremes between to second order. Next to hidden parts the middle speaks for the step.
@@ -13,14 +14,25 @@
 #define EXTREME_OF_ENDS 0
 #endif
 
-// The field at an end of a step, for what needs it.
-FUNC real endValue(SCENE_PARAM Ray ray, real along)
-{
-#if WITH_PREINTEGRATED || EXTREME_OF_ENDS
-  return fieldAt(SCENE texturePositionOf(ray, along));
+#if WITH_SEGMENT || WITH_PREINTEGRATED
+#define BETWEEN_ENDS 1
 #else
-  return REAL(0.0);
+#define BETWEEN_ENDS 0
 #endif
+
+// The field at an end of a step, for what needs it.
+FUNC StepEnd stepEndAt(SCENE_PARAM Ray ray, real along)
+{
+  StepEnd end;
+#if BETWEEN_ENDS || EXTREME_OF_ENDS
+  end.value = fieldAt(SCENE texturePositionOf(ray, along));
+#else
+  end.value = REAL(0.0);
+#endif
+#if WITH_SEGMENT
+  end = withPrefix(SCENE end);
+#endif
+  return end;
 }
 
 FUNC real samplePoint(real stepBegin, real width)
@@ -33,16 +45,18 @@ FUNC real samplePoint(real stepBegin, real width)
 }
 
 #if EXTREME_OF_ENDS
-FUNC vec4 contributionOf(SCENE_PARAM Ray ray, real stepBegin, real width, real front, real back)
+FUNC vec4 contributionOf(
+  SCENE_PARAM Ray ray, real stepBegin, real width, StepEnd front, StepEnd back)
 {
 #if WITH_MAXIMUM_BLEND
-  return valueContribution(max(front, back), width);
+  return valueContribution(max(front.value, back.value), width);
 #else
-  return valueContribution(min(front, back), width);
+  return valueContribution(min(front.value, back.value), width);
 #endif
 }
 #elif WITH_MAXIMUM_BLEND || WITH_MINIMUM_BLEND || WITH_AVERAGE_BLEND
-FUNC vec4 contributionOf(SCENE_PARAM Ray ray, real stepBegin, real width, real front, real back)
+FUNC vec4 contributionOf(
+  SCENE_PARAM Ray ray, real stepBegin, real width, StepEnd front, StepEnd back)
 {
   real along = samplePoint(stepBegin, width);
 #if WITH_BLANKING || WITH_CROP_REGIONS
@@ -54,12 +68,41 @@ FUNC vec4 contributionOf(SCENE_PARAM Ray ray, real stepBegin, real width, real f
   return valueContribution(fieldAt(SCENE texturePositionOf(ray, along)), width);
 }
 #else
-// Premultiplied colour and opacity of one step, whose ends have the values `front` and `back`.
-FUNC vec4 contributionOf(SCENE_PARAM Ray ray, real stepBegin, real width, real front, real back)
+#if BETWEEN_ENDS
+// What the transfer function makes of the field between the ends of a step. Where an end is hidden
+// its value means nothing, and the middle of the step speaks for it.
+FUNC vec4 classifiedStep(SCENE_PARAM Ray ray, real stepBegin, real width, StepEnd front, StepEnd back)
+{
+#if WITH_BLANKING
+  if (isBlank(SCENE texturePositionOf(ray, stepBegin)) ||
+    isBlank(SCENE texturePositionOf(ray, stepBegin + width)))
+  {
+    return classifiedAt(SCENE texturePositionOf(ray, samplePoint(stepBegin, width)));
+  }
+#endif
+#if WITH_SEGMENT
+  vec4 classified = classifyBetween(SCENE front, back, width * ray.lengthPerUnit);
+#else
+  vec4 classified = classifySegment(SCENE front.value, back.value);
+#endif
+#if WITH_DIRECT_COLOR || WITH_OPACITY_CHANNEL
+  // Colour comes from components of its own.
+  vec4 color =
+    classifiedAt(SCENE texturePositionOf(ray, samplePoint(stepBegin, width)));
+  classified = VEC4(color.x, color.y, color.z, classified.w);
+#endif
+  return classified;
+}
+#endif
+
+// Premultiplied colour and opacity of one step with the given ends.
+FUNC vec4 contributionOf(
+  SCENE_PARAM Ray ray, real stepBegin, real width, StepEnd front, StepEnd back)
 {
   real along = samplePoint(stepBegin, width);
-#if WITH_PREINTEGRATED
-  vec4 sampled = appearanceAt(SCENE ray, along, classifySegment(SCENE front, back));
+#if BETWEEN_ENDS
+  vec4 sampled =
+    appearanceAt(SCENE ray, along, classifiedStep(SCENE ray, stepBegin, width, front, back));
 #else
   vec4 sampled = sampleAt(SCENE ray, along);
 #endif
@@ -93,12 +136,12 @@ FUNC vec4 integrate(SCENE_PARAM Ray ray, Interval interval)
   {
     stepCount = TO_INT(ceil((interval.end - interval.begin) / stepLength));
   }
-  real front = endValue(SCENE ray, interval.begin);
+  StepEnd front = stepEndAt(SCENE ray, interval.begin);
   for (int i = 0; i < stepCount; ++i)
   {
     real stepBegin = interval.begin + TO_REAL(i) * stepLength;
     real width = min(stepLength, interval.end - stepBegin);
-    real back = endValue(SCENE ray, stepBegin + width);
+    StepEnd back = stepEndAt(SCENE ray, stepBegin + width);
     result = accumulate(result, contributionOf(SCENE ray, stepBegin, width, front, back));
     front = back;
     taken = i + 1;
@@ -161,7 +204,7 @@ FUNC vec4 castSlab(SCENE_PARAM vec3 texturePosition, vec3 texturePerDepth, vec4 
   }
   Ray ray = rayInSlab(SCENE texturePosition, texturePerDepth, slabRay.z, slabRay.w);
   real stepBegin = slabBegin - REAL(0.5) * (nearDepth + farDepth);
-  return contributionOf(SCENE ray, stepBegin, width, endValue(SCENE ray, stepBegin),
-    endValue(SCENE ray, stepBegin + width));
+  return contributionOf(SCENE ray, stepBegin, width, stepEndAt(SCENE ray, stepBegin),
+    stepEndAt(SCENE ray, stepBegin + width));
 #endif
 }

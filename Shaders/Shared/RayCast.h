@@ -1,8 +1,9 @@
 // The whole ray caster in reading order. A back end includes its dialect, then its samplers
-// (fieldAt, tableAt and, with their features, texelAt, segmentTableAt, gradientTableAt and
-// blankingAt), then this file.
+// (fieldAt, tableAt and, with their features, texelAt, prefixAt, segmentTableAt, gradientTableAt
+// and blankingAt), then this file.
 #include "Shared/Ray.h"
 #include "Shared/Classify.h"
+#include "Shared/Segment.h"
 #include "Shared/Lighting.h"
 #include "Shared/Sample.h"
 #include "Shared/Composite.h"

@@ -45,9 +45,13 @@ using real = KERNEL_REAL;
 #undef LIGHT_LIMIT
 #undef CLIP_PLANE_LIMIT
 #undef EXTREME_OF_ENDS
+#undef BETWEEN_ENDS
+#undef FEWEST_UNITS
+#undef THIN_DEPTH
 
 // Every feature of Scene/Features.cxx; the Kernels tests notice one that is missing here.
 #undef WITH_MIDPOINT
+#undef WITH_SEGMENT
 #undef WITH_PREINTEGRATED
 #undef WITH_TERMINATION
 #undef WITH_OPAQUE_DEPTH

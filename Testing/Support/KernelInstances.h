@@ -33,6 +33,18 @@
 #define WITH_OPAQUE_DEPTH 1
 #include "KernelInstance.h"
 
+#define KERNEL_NAMESPACE segment32
+#define KERNEL_REAL float
+#define WITH_MIDPOINT 1
+#define WITH_SEGMENT 1
+#include "KernelInstance.h"
+
+#define KERNEL_NAMESPACE segment64
+#define KERNEL_REAL double
+#define WITH_MIDPOINT 1
+#define WITH_SEGMENT 1
+#include "KernelInstance.h"
+
 #define KERNEL_NAMESPACE preintegrated64
 #define KERNEL_REAL double
 #define WITH_MIDPOINT 1

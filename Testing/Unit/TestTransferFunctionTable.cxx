@@ -40,7 +40,7 @@ TEST(TransferFunctionTable, ExtinctionIsTheLogarithmOfTransparency)
 TEST(TransferFunctionTable, EndsAreExact)
 {
   const double range[2] = { 0.0, 100.0 };
-  const TransferFunction function = BuildTransferFunction(Ramp(20.0, 60.0), range, LargestSize);
+  const TransferFunction function = BuildTransferFunction(Ramp(20.0, 60.0), range, { LargestSize });
   EXPECT_EQ(function.Low, 20.0);
   EXPECT_EQ(function.High, 60.0);
   ASSERT_GE(function.Table.size(), 1024u);
@@ -52,7 +52,7 @@ TEST(TransferFunctionTable, EndsAreExact)
 TEST(TransferFunctionTable, DomainStaysInsideTheData)
 {
   const double range[2] = { 30.0, 40.0 };
-  const TransferFunction function = BuildTransferFunction(Ramp(20.0, 60.0), range, LargestSize);
+  const TransferFunction function = BuildTransferFunction(Ramp(20.0, 60.0), range, { LargestSize });
   EXPECT_EQ(function.Low, 30.0);
   EXPECT_EQ(function.High, 40.0);
 }
@@ -60,7 +60,7 @@ TEST(TransferFunctionTable, DomainStaysInsideTheData)
 TEST(TransferFunctionTable, DataOutsideTheFunctionsTakeTheirEnd)
 {
   const double range[2] = { 70.0, 80.0 };
-  const TransferFunction function = BuildTransferFunction(Ramp(20.0, 60.0), range, LargestSize);
+  const TransferFunction function = BuildTransferFunction(Ramp(20.0, 60.0), range, { LargestSize });
   EXPECT_NEAR(function.Table.front().w, std::log(2.0) / 2.0, 1e-7);
   EXPECT_NEAR(function.Table.back().w, std::log(2.0) / 2.0, 1e-7);
 }
@@ -70,7 +70,7 @@ TEST(TransferFunctionTable, WithoutClampingOutsideIsTransparent)
   auto property = Ramp(20.0, 60.0);
   property->GetScalarOpacity()->ClampingOff();
   const double range[2] = { 0.0, 100.0 };
-  const TransferFunction function = BuildTransferFunction(property, range, LargestSize);
+  const TransferFunction function = BuildTransferFunction(property, range, { LargestSize });
   EXPECT_EQ(function.High, 100.0);
   EXPECT_EQ(function.Table.back().w, 0.0f);
 }
@@ -79,18 +79,18 @@ TEST(TransferFunctionTable, CloseKnotsMakeItFiner)
 {
   auto property = Ramp(0.0, 100.0);
   const double range[2] = { 0.0, 100.0 };
-  EXPECT_EQ(BuildTransferFunction(property, range, LargestSize).Table.size(), 1024u);
+  EXPECT_EQ(BuildTransferFunction(property, range, { LargestSize }).Table.size(), 1024u);
   property->GetScalarOpacity()->AddPoint(50.0, 0.1);
   property->GetScalarOpacity()->AddPoint(50.2, 0.9);
-  EXPECT_NEAR(BuildTransferFunction(property, range, LargestSize).Table.size(), 4000.0, 1.0);
+  EXPECT_NEAR(BuildTransferFunction(property, range, { LargestSize }).Table.size(), 4000.0, 1.0);
   property->GetScalarOpacity()->AddPoint(50.001, 0.2);
-  EXPECT_EQ(BuildTransferFunction(property, range, 2048).Table.size(), 2048u);
+  EXPECT_EQ(BuildTransferFunction(property, range, { 2048 }).Table.size(), 2048u);
 }
 
 TEST(TransferFunctionTable, ConstantDataGiveAConstantTable)
 {
   const double range[2] = { 60.0, 60.0 };
-  const TransferFunction function = BuildTransferFunction(Ramp(20.0, 60.0), range, LargestSize);
+  const TransferFunction function = BuildTransferFunction(Ramp(20.0, 60.0), range, { LargestSize });
   for (const glm::vec4& entry : function.Table)
   {
     ASSERT_EQ(entry, function.Table.front());
@@ -103,21 +103,21 @@ TEST(TransferFunctionTable, NamesWhatIsWrong)
   const double range[2] = { 0.0, 1.0 };
   auto property = Ramp(0.0, 1.0);
   property->SetScalarOpacityUnitDistance(0.0);
-  EXPECT_THROW(BuildTransferFunction(property, range, LargestSize), SceneError);
+  EXPECT_THROW(BuildTransferFunction(property, range, { LargestSize }), SceneError);
   property = Ramp(0.0, 1.0);
   property->GetScalarOpacity()->RemoveAllPoints();
-  EXPECT_THROW(BuildTransferFunction(property, range, LargestSize), SceneError);
+  EXPECT_THROW(BuildTransferFunction(property, range, { LargestSize }), SceneError);
   property = Ramp(0.0, 1.0);
   property->GetRGBTransferFunction()->RemoveAllPoints();
-  EXPECT_THROW(BuildTransferFunction(property, range, LargestSize), SceneError);
+  EXPECT_THROW(BuildTransferFunction(property, range, { LargestSize }), SceneError);
 }
 
 TEST(TransferFunctionTable, StampChangesWithItsSources)
 {
   const double range[2] = { 0.0, 1.0 };
   auto property = Ramp(0.0, 1.0);
-  const ChangeStamp first = BuildTransferFunction(property, range, LargestSize).Stamp;
-  EXPECT_EQ(BuildTransferFunction(property, range, LargestSize).Stamp, first);
+  const ChangeStamp first = BuildTransferFunction(property, range, { LargestSize }).Stamp;
+  EXPECT_EQ(BuildTransferFunction(property, range, { LargestSize }).Stamp, first);
   property->GetScalarOpacity()->AddPoint(0.5, 0.5);
-  EXPECT_NE(BuildTransferFunction(property, range, LargestSize).Stamp, first);
+  EXPECT_NE(BuildTransferFunction(property, range, { LargestSize }).Stamp, first);
 }

@@ -43,6 +43,18 @@ GlFormat FormatOf(const volumebench::Volume& volume)
   }
 }
 
+// Sends a one-dimensional texture of four-byte channels; returns its bytes.
+std::size_t UploadLine(
+  GlTexture& texture, const GlFormat& format, GLsizei width, const void* texels, bool filtered)
+{
+  texture.Bind(GL_TEXTURE_1D);
+  texture.SetSampling(filtered);
+  glTexImage1D(GL_TEXTURE_1D, 0, format.Internal, width, 0, format.External, format.Type, texels);
+  texture.Unbind();
+  const std::size_t channels = format.External == GL_RED ? 1 : 4;
+  return channels * sizeof(float) * static_cast<std::size_t>(width);
+}
+
 void DrainErrors()
 {
   while (glGetError() != GL_NO_ERROR)
@@ -162,12 +174,15 @@ void SceneTextures::UpdateBlanking(const volumebench::Volume& volume)
 
 void SceneTextures::UpdateTable(const TransferFunction& function)
 {
-  this->Table.Bind(GL_TEXTURE_1D);
-  this->Table.SetSampling(true);
-  glTexImage1D(GL_TEXTURE_1D, 0, GL_RGBA32F, static_cast<GLsizei>(function.Table.size()), 0,
-    GL_RGBA, GL_FLOAT, function.Table.data());
-  this->Table.Unbind();
-  this->TableBytes = function.Table.size() * sizeof(glm::vec4);
+  this->TableBytes = 0;
+  const auto width = static_cast<GLsizei>(function.Table.size());
+  this->TableBytes +=
+    UploadLine(this->Table, { GL_RGBA32F, GL_RGBA, GL_FLOAT }, width, function.Table.data(), true);
+  if (function.Prefix)
+  {
+    this->TableBytes += UploadLine(this->Prefix, { GL_RGBA32I, GL_RGBA_INTEGER, GL_INT },
+      static_cast<GLsizei>(function.Prefix->size()), function.Prefix->data(), false);
+  }
   if (function.Segments)
   {
     this->Segments.Bind(GL_TEXTURE_2D);
@@ -179,12 +194,8 @@ void SceneTextures::UpdateTable(const TransferFunction& function)
   }
   if (!function.GradientTable.empty())
   {
-    this->GradientOpacity.Bind(GL_TEXTURE_1D);
-    this->GradientOpacity.SetSampling(true);
-    glTexImage1D(GL_TEXTURE_1D, 0, GL_R32F, static_cast<GLsizei>(function.GradientTable.size()), 0,
-      GL_RED, GL_FLOAT, function.GradientTable.data());
-    this->GradientOpacity.Unbind();
-    this->TableBytes += function.GradientTable.size() * sizeof(float);
+    this->TableBytes += UploadLine(this->GradientOpacity, { GL_R32F, GL_RED, GL_FLOAT },
+      static_cast<GLsizei>(function.GradientTable.size()), function.GradientTable.data(), true);
   }
 }
 
@@ -193,6 +204,10 @@ void SceneTextures::Attach(
 {
   program.SetUnit("volumeTexture", units.Attach(this->Volume));
   program.SetUnit("transferFunctionTexture", units.Attach(this->Table));
+  if (Has(features, Feature::Segment))
+  {
+    program.SetUnit("prefixTexture", units.Attach(this->Prefix));
+  }
   if (Has(features, Feature::PreIntegrated))
   {
     program.SetUnit("segmentTexture", units.Attach(this->Segments));
@@ -209,8 +224,8 @@ void SceneTextures::Attach(
 
 void SceneTextures::Release()
 {
-  for (GlTexture* texture :
-    { &this->Volume, &this->Table, &this->Segments, &this->GradientOpacity, &this->Blanking })
+  for (GlTexture* texture : { &this->Volume, &this->Table, &this->Prefix, &this->Segments,
+         &this->GradientOpacity, &this->Blanking })
   {
     texture->Release();
   }
@@ -219,8 +234,8 @@ void SceneTextures::Release()
 
 void SceneTextures::Forget()
 {
-  for (GlTexture* texture :
-    { &this->Volume, &this->Table, &this->Segments, &this->GradientOpacity, &this->Blanking })
+  for (GlTexture* texture : { &this->Volume, &this->Table, &this->Prefix, &this->Segments,
+         &this->GradientOpacity, &this->Blanking })
   {
     texture->Forget();
   }

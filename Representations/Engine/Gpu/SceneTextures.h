@@ -40,6 +40,7 @@ private:
 
   GlTexture Volume;
   GlTexture Table;
+  GlTexture Prefix;
   GlTexture Segments;
   GlTexture GradientOpacity;
   GlTexture Blanking;

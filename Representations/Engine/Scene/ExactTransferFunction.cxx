@@ -186,7 +186,7 @@ glm::dvec4 ExactTransferFunction::IntegralInPiece(
   const glm::dvec4 whole = Gauss(function, low, high);
   const glm::dvec4 halves = Gauss(function, low, middle) + Gauss(function, middle, high);
   allowed = allowed < 0.0 ? IntegralTolerance * halves.w : allowed;
-  if (LargestDifference(whole, halves) <= allowed || !(middle > low && middle < high))
+  if (!(LargestDifference(whole, halves) > allowed) || !(middle > low && middle < high))
   {
     return halves;
   }

@@ -20,6 +20,9 @@ std::vector<FeatureRow> SamplingRows()
   return {
     { Feature::Midpoint, "midpoint", "WITH_MIDPOINT", "the integrator is Left",
       [](const Scene& s) { return s.Sampling.Integration != Integrator::Left; } },
+    { Feature::Segment, "segment", "WITH_SEGMENT", "the integrator or the blend mode is another",
+      [](const Scene& s)
+      { return s.Sampling.Integration == Integrator::Segment && Composites(s); } },
     { Feature::PreIntegrated, "pre-integrated", "WITH_PREINTEGRATED",
       "the integrator or the blend mode is another",
       [](const Scene& s)

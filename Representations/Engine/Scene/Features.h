@@ -17,6 +17,7 @@ namespace volumebench
 enum class Feature
 {
   Midpoint,
+  Segment,
   PreIntegrated,
   Termination,
   OpaqueDepth,

@@ -192,6 +192,10 @@ void PackTable(const Scene& scene, SceneBlock64& block)
   block.classification = { TableCoordinates(low, high, size),
     TableCoordinates(colorMapping.Normalize(function.ColorLow),
       colorMapping.Normalize(function.ColorHigh), size) };
+  // Entry 0 of the table is entry 1 of its prefix integrals.
+  const double perValue = high > low ? (size - 1.0) / (high - low) : 0.0;
+  block.prefix = { perValue, 1.0 - low * perValue, size, 0.0 };
+  block.prefixUnits = { function.PrefixColorUnit, function.PrefixExtinctionUnit, 0.0, 0.0 };
   block.segments = { TableCoordinates(low, high, std::max(1, function.SegmentSize)), 0.0, 0.0 };
 }
 

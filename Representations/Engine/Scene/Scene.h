@@ -104,6 +104,12 @@ struct TransferFunction
   std::shared_ptr<const std::vector<glm::vec4>> Segments;
   int SegmentSize = 0;
 
+  /// For Segment: integrals of colour times extinction (xyz) and of extinction (w) up to each entry
+  /// of the table, and to one more on either side, in whole units. Null unless the scene needs it.
+  std::shared_ptr<const std::vector<glm::ivec4>> Prefix;
+  double PrefixColorUnit = 0.0;      // extinction times colour per unit and entry
+  double PrefixExtinctionUnit = 0.0; // extinction per unit and entry
+
   /// Factor of the extinction by gradient magnitude from GradientLow to GradientHigh (data units);
   /// empty without gradient opacity.
   std::vector<float> GradientTable;
@@ -126,6 +132,7 @@ enum class Integrator
 {
   Left = 0,         // sample at the beginning of a step, first order (as VTK's mapper)
   Midpoint = 1,     // sample in its middle, second order
+  Segment = 2,      // prefix integrals between its ends, second order, exact for narrow peaks
   PreIntegrated = 3 // table over the values at both ends of a step
 };
 
@@ -162,6 +169,7 @@ struct Sampling
   Integrator Integration = Integrator::Midpoint;
   RaySetUp SetUp = RaySetUp::Rasterised;
   double StepVoxels = 0.5;
+  int TableSize = 0; // entries of the transfer-function table; 0: as many as it needs
   double TerminationThreshold = 0.0; // remaining transmittance at which a ray stops
   glm::ivec2 WorkGroup{ 0 };         // pixels of a compute work group; 0: to be found by measuring
   Slicing Slices;

@@ -4,6 +4,7 @@
 #include "Scene/FromVtk.h"
 #include "Scene/KernelScene.h"
 #include "Scene/Features.h"
+#include "Scene/PrefixTable.h"
 #include "Scene/SegmentTable.h"
 #include "Scene/WorkGroup.h"
 #include "Scene/TransferFunctionTable.h"
@@ -68,16 +69,11 @@ Slicing BuildSlicing(vtkVolumeBenchMapper* mapper)
 Sampling BuildSampling(vtkVolumeBenchMapper* mapper)
 {
   Sampling sampling;
-  const int integrator = mapper->GetIntegrator();
-  if (integrator != 0 && integrator != 1 && integrator != 3)
-  {
-    throw SceneError("there is no integrator " + std::to_string(integrator) +
-      "; known are 0 (Left), 1 (Midpoint) and 3 (PreIntegrated)");
-  }
-  sampling.Integration = static_cast<Integrator>(integrator);
+  sampling.Integration = static_cast<Integrator>(Checked(mapper->GetIntegrator(), 3, "integrator"));
   sampling.SetUp = static_cast<RaySetUp>(mapper->GetRaySetUp());
   sampling.StepVoxels = mapper->GetStepVoxels();
   sampling.TerminationThreshold = mapper->GetTerminationThreshold();
+  sampling.TableSize = mapper->GetTableSize();
   sampling.WorkGroup = WorkGroupOf(mapper->GetWorkGroupShape());
   sampling.Slices = BuildSlicing(mapper);
   if (!(sampling.StepVoxels >= SmallestStepVoxels) || !std::isfinite(sampling.StepVoxels))
@@ -188,22 +184,33 @@ double MeanEdge(const Volume& volume)
 }
 }
 
+// `largestTable` holds for the prefix integrals too, which have two entries more.
 void SceneBuilder::BuildFunction(vtkVolumeProperty* property, Scene& scene, int largestTable)
 {
   constexpr int SegmentSize = 512;
+  const bool prefix = Has(FeaturesNeededBy(scene), Feature::Segment);
   const bool segments = Has(FeaturesNeededBy(scene), Feature::PreIntegrated);
   const double length = scene.Sampling.StepVoxels * MeanEdge(scene.Volume);
   ChangeStamp stamp = property->GetMTime();
   ExtendStamp(stamp, scene.Volume.Stamp);
+  ExtendStamp(stamp, prefix);
   ExtendStamp(stamp, segments ? length : 0.0);
   ExtendStamp(stamp, scene.Volume.FiniteRange[0]);
   ExtendStamp(stamp, scene.Volume.FiniteRange[1]);
+  ExtendStamp(stamp, largestTable);
+  ExtendStamp(stamp, scene.Sampling.TableSize);
   if (stamp != this->FunctionStamp)
   {
     this->FunctionStamp = 0;
     const Volume& volume = scene.Volume;
-    this->Function = BuildTransferFunction(property, volume.FiniteRange, largestTable,
+    this->Function = BuildTransferFunction(property, volume.FiniteRange,
+      { largestTable - 2, scene.Sampling.TableSize },
       volume.Channels == 2 ? volume.ColorRange : nullptr);
+    if (prefix)
+    {
+      BuildPrefixTable(this->Function);
+      ExtendStamp(this->Function.Stamp, prefix);
+    }
     if (segments)
     {
       this->Function.SegmentSize = SegmentSize;

@@ -31,8 +31,12 @@ Domain ChooseDomain(const std::set<double>& knots, bool clamping, const double d
   return clamping && low < high ? Domain{ low, high } : Domain{ dataRange[0], dataRange[1] };
 }
 
-int ChooseSize(const std::set<double>& knots, const Domain& domain, int largestSize)
+int ChooseSize(const std::set<double>& knots, const Domain& domain, const TableSizes& sizes)
 {
+  if (sizes.Fixed != 0)
+  {
+    return sizes.Fixed;
+  }
   double closest = domain.High - domain.Low;
   double previous = domain.Low;
   for (const double knot : knots)
@@ -44,13 +48,13 @@ int ChooseSize(const std::set<double>& knots, const Domain& domain, int largestS
     }
   }
   const double wanted = EntriesPerKnotGap * (domain.High - domain.Low) / closest;
-  const double upper = std::max(largestSize, 2);
+  const double upper = std::max(sizes.Largest, 2);
   return static_cast<int>(std::min(std::max<double>(SmallestSize, wanted), upper));
 }
 
 // Chooses the domains of opacity and colour; returns the size of the table.
 int ChooseDomains(const PropertyFunctions& functions, const double range[2],
-  const double* colorRange, int largestSize, TransferFunction& result)
+  const double* colorRange, const TableSizes& sizes, TransferFunction& result)
 {
   std::set<double> opacityKnots = functions.OpacityKnots();
   std::set<double> colorKnots = functions.ColorKnots();
@@ -66,8 +70,7 @@ int ChooseDomains(const PropertyFunctions& functions, const double range[2],
   result.High = opacity.High;
   result.ColorLow = color.Low;
   result.ColorHigh = color.High;
-  return std::max(
-    ChooseSize(opacityKnots, opacity, largestSize), ChooseSize(colorKnots, color, largestSize));
+  return std::max(ChooseSize(opacityKnots, opacity, sizes), ChooseSize(colorKnots, color, sizes));
 }
 
 void Fill(
@@ -134,13 +137,19 @@ double ExtinctionOfOpacity(double opacity, double unitDistance)
   return -std::log1p(-std::clamp(opacity, 0.0, largest)) / unitDistance;
 }
 
-TransferFunction BuildTransferFunction(
-  vtkVolumeProperty* property, const double dataRange[2], int largestSize, const double* colorRange)
+TransferFunction BuildTransferFunction(vtkVolumeProperty* property, const double dataRange[2],
+  const TableSizes& sizes, const double* colorRange)
 {
+  if (sizes.Fixed != 0 && (sizes.Fixed < 2 || sizes.Fixed > sizes.Largest))
+  {
+    throw SceneError("the transfer-function table is to have " + std::to_string(sizes.Fixed) +
+      " entries; it can have 2 to " + std::to_string(sizes.Largest) +
+      ", or 0 for as many as it needs");
+  }
   const double unitDistance = CheckedUnitDistance(property);
   const PropertyFunctions functions(property);
   TransferFunction result;
-  const int size = ChooseDomains(functions, dataRange, colorRange, largestSize, result);
+  const int size = ChooseDomains(functions, dataRange, colorRange, sizes, result);
   Fill(functions, unitDistance, size, result);
 
   result.UnitDistance = unitDistance;

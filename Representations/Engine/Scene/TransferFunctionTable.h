@@ -16,15 +16,22 @@ VOLUMEBENCHENGINE_EXPORT double ExtinctionOfOpacity(double opacity, double unitD
 /// Data units over which the opacities of component 0 are given. Throws SceneError unless positive.
 VOLUMEBENCHENGINE_EXPORT double CheckedUnitDistance(vtkVolumeProperty* property);
 
+struct TableSizes
+{
+  int Largest = 16384; // entries that the device takes
+  int Fixed = 0;       // entries that the user wants; 0: as many as the functions need
+};
+
 /// Samples the functions of component 0 over the part of `dataRange` in which they change; values
 /// outside that part take the value at its ends. The table is as fine as the closest two knots
-/// ask for, between 1024 and `largestSize` entries.
+/// ask for, between 1024 and `sizes.Largest` entries, unless `sizes.Fixed` says how fine.
 /// `colorRange` is that of the component that gives the colour, if that is another: a table over
 /// both ranges would have no entries to spare for the shorter. Null: colour goes by `dataRange`.
 /// The gradient opacity, if the property has one, becomes a table of its own.
-/// Throws SceneError when a function is empty or the unit distance is not positive.
+/// Throws SceneError when a function is empty, the unit distance is not positive or the size that
+/// is wanted is not between 2 and the largest.
 VOLUMEBENCHENGINE_EXPORT TransferFunction BuildTransferFunction(vtkVolumeProperty* property,
-  const double dataRange[2], int largestSize, const double* colorRange = nullptr);
+  const double dataRange[2], const TableSizes& sizes, const double* colorRange = nullptr);
 }
 
 #endif

@@ -1,0 +1,86 @@
+#include "Scene/PrefixTable.h"
+
+#include "Scene/ExactTransferFunction.h"
+
+#include "vtkSMPTools.h"
+
+#include <glm/common.hpp>
+#include <glm/vec3.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace volumebench
+{
+namespace
+{
+constexpr double LargestUnits = 2147450000.0; // 2^31, less some for what Raised adds
+
+// Whole numbers of units, such that an entry with any extinction has at least one of them: the
+// kernel takes an entry without units for transparent.
+std::vector<glm::ivec4> Raised(const std::vector<glm::dvec4>& sums,
+  const std::vector<glm::dvec4>& means, const glm::dvec4& scale)
+{
+  std::vector<glm::ivec4> units(sums.size());
+  for (std::size_t i = 1; i < sums.size(); ++i)
+  {
+    units[i] = glm::ivec4(glm::round(scale * sums[i]));
+    const int least = units[i - 1].w + (means[i - 1].w > 0.0 ? 1 : 0);
+    units[i].w = std::max(units[i].w, least);
+  }
+  return units;
+}
+
+// Means of colour times extinction and of extinction over each entry, the first and the last of
+// which lie outside the table.
+std::vector<glm::dvec4> EntryMeans(const TransferFunction& function)
+{
+  const ExactTransferFunction& exact = *function.Exact;
+  const auto inside = static_cast<vtkIdType>(function.Table.size()) - 1;
+  const auto at = [&exact](double value)
+  {
+    const glm::dvec4 sample = exact.At(value);
+    return glm::dvec4(glm::dvec3(sample) * sample.w, sample.w);
+  };
+  std::vector<glm::dvec4> means(inside + 2, at(function.Low));
+  if (function.High > function.Low)
+  {
+    const auto valueOf = [&function, inside](vtkIdType entry)
+    {
+      const double share = static_cast<double>(entry) / static_cast<double>(inside);
+      return (1.0 - share) * function.Low + share * function.High;
+    };
+    vtkSMPTools::For(0, inside,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        for (vtkIdType entry = begin; entry < end; ++entry)
+        {
+          const double low = valueOf(entry);
+          const double high = valueOf(entry + 1);
+          means[entry + 1] = high > low ? exact.Integral(low, high) / (high - low) : at(low);
+        }
+      });
+    means.back() = at(function.High);
+  }
+  return means;
+}
+}
+
+void BuildPrefixTable(TransferFunction& function)
+{
+  const std::vector<glm::dvec4> means = EntryMeans(function);
+  std::vector<glm::dvec4> sums(means.size() + 1, glm::dvec4(0.0));
+  for (std::size_t i = 0; i < means.size(); ++i)
+  {
+    sums[i + 1] = sums[i] + means[i];
+  }
+  const glm::dvec4& total = sums.back();
+  const double color = std::max({ total.x, total.y, total.z });
+  function.PrefixColorUnit = color / LargestUnits;
+  function.PrefixExtinctionUnit = total.w / LargestUnits;
+  const double perColor = color > 0.0 ? LargestUnits / color : 0.0;
+  const double perExtinction = total.w > 0.0 ? LargestUnits / total.w : 0.0;
+  const glm::dvec4 scale(perColor, perColor, perColor, perExtinction);
+  function.Prefix = std::make_shared<const std::vector<glm::ivec4>>(Raised(sums, means, scale));
+}
+}

@@ -1,0 +1,124 @@
+// Segment: a step as the part of the transfer function that the field passes through between the
+// step's two ends, taken as linear there. Prefix integrals of the extinction tau and of colour times
+// tau over the values give the mean extinction exactly, however narrow a peak is, and the mean
+// colour. Within an opaque step the colour seen is that of its front: colour is taken as linear in
+// optical depth, as the exponential integrators of stiff equations do (ETD2), and kept between the
+// colours that the step has.
+//
+// Prefix integrals are whole numbers, so that differences of neighbours lose nothing beside large
+// sums elsewhere. Between two of them the integral is linear.
+#if WITH_SEGMENT
+// Below this many units a difference of prefix integrals has too few digits for a colour, and over
+// less than two cells for the extinction; the table of the function has them.
+#define FEWEST_UNITS REAL(131072.0)
+// Below this depth the order of colours within a step does not show.
+#define THIN_DEPTH REAL(0.01)
+#endif
+
+// The field at an end of a step, as the integrator needs it.
+STRUCT(StepEnd)
+{
+  real value;
+#if WITH_SEGMENT
+  int cell;     // of the prefix table
+  real inCell;  // position in it; beyond 0 and 1 outside the table
+  ivec4 before; // prefix integrals at the beginning of the cell: colour times tau, tau
+  ivec4 after;  // and at its end
+#endif
+};
+
+#if WITH_SEGMENT
+FUNC StepEnd withPrefix(SCENE_PARAM StepEnd end)
+{
+  real position = end.value * scene.prefix.x + scene.prefix.y;
+  real cell = max(REAL(0.0), min(floor(position), scene.prefix.z));
+  end.cell = TO_INT(cell);
+  end.inCell = position - cell;
+  end.before = prefixAt(SCENE end.cell);
+  end.after = prefixAt(SCENE end.cell + 1);
+  return end;
+}
+
+FUNC vec4 prefixDifference(ivec4 from, ivec4 to)
+{
+  return VEC4(TO_REAL(to.x - from.x), TO_REAL(to.y - from.y), TO_REAL(to.z - from.z),
+    TO_REAL(to.w - from.w));
+}
+
+// Mean over the values between two ends, in units per cell. Summed from the cells' parts, whose
+// shares add up to the span, so that it stays a mean however close the ends are.
+FUNC vec4 prefixMean(StepEnd front, StepEnd back)
+{
+  vec4 inFront = prefixDifference(front.before, front.after);
+  if (front.cell == back.cell)
+  {
+    return inFront;
+  }
+  vec4 inBack = prefixDifference(back.before, back.after);
+  bool rising = front.cell < back.cell;
+  real frontShare = rising ? REAL(1.0) - front.inCell : front.inCell;
+  real backShare = rising ? back.inCell : REAL(1.0) - back.inCell;
+  vec4 between = prefixDifference(front.after, back.before);
+  real cells = TO_REAL(back.cell - front.cell - 1);
+  if (!rising)
+  {
+    between = prefixDifference(back.after, front.before);
+    cells = TO_REAL(front.cell - back.cell - 1);
+  }
+  return (REAL(1.0) / (frontShare + backShare + cells)) *
+    (frontShare * inFront + backShare * inBack + between);
+}
+
+// How far the colour of a step of optical depth z is seen from its front: 0 where it is thin and
+// its mean is seen, 1 where nothing behind its front is. With colour linear in optical depth the
+// weights of the two ends are alpha (1 + r) / 2 and alpha (1 - r) / 2; this is r.
+FUNC real frontWeight(real depth)
+{
+  real square = depth * depth;
+  real series = depth *
+    (REAL(0.16666667) - square * (REAL(0.0027777778) - square * REAL(6.6137566e-5)));
+  real passing = exp(-depth);
+  real closed = REAL(1.0) - REAL(2.0) / max(depth, REAL(0.5)) +
+    REAL(2.0) * passing / max(REAL(1.0) - passing, REAL(0.25));
+  return depth < REAL(0.5) ? series : closed;
+}
+
+// One channel of the colour at the front, in a profile that is linear in optical depth, has the
+// given mean and stays among the colours `first`, `last` and `mean`.
+FUNC real frontOfProfile(real first, real last, real mean)
+{
+  real low = min(mean, min(first, last));
+  real high = max(mean, max(first, last));
+  real front = mean - REAL(0.5) * (last - first);
+  return max(max(low, REAL(2.0) * mean - high), min(front, min(high, REAL(2.0) * mean - low)));
+}
+
+// Colour and mean extinction of a step whose length is given in data units.
+FUNC vec4 classifyBetween(SCENE_PARAM StepEnd front, StepEnd back, real stepLength)
+{
+  vec4 mean = prefixMean(front, back);
+  if (mean.w <= REAL(0.0))
+  {
+    return VEC4(REAL(0.0), REAL(0.0), REAL(0.0), REAL(0.0));
+  }
+  vec3 color = (scene.prefixUnits.x / (mean.w * scene.prefixUnits.y)) * xyz(mean);
+  real extinction = mean.w * scene.prefixUnits.y;
+  real depth = extinction * stepLength;
+  real cells = fabs(back.value - front.value) * scene.prefix.x;
+  bool few = mean.w * max(REAL(1.0), cells) < FEWEST_UNITS;
+  if (few || depth > THIN_DEPTH)
+  {
+    vec4 first = classify(SCENE front.value);
+    vec4 last = classify(SCENE back.value);
+    if (few)
+    {
+      color = REAL(0.5) * (xyz(first) + xyz(last));
+      extinction = cells < REAL(2.0) ? REAL(0.5) * (first.w + last.w) : extinction;
+    }
+    vec3 atFront = VEC3(frontOfProfile(first.x, last.x, color.x),
+      frontOfProfile(first.y, last.y, color.y), frontOfProfile(first.z, last.z, color.z));
+    color = color + frontWeight(depth) * (atFront - color);
+  }
+  return VEC4(color.x, color.y, color.z, extinction);
+}
+#endif
