@@ -1,8 +1,9 @@
-// The pre-integrated integrator where it is meant for: transfer functions that change within a
-// step.
+// Segment and PreIntegrated where they are meant for: transfer functions that change within a step.
 #include "EveryTechnique.h"
 
 #include "ImageError.h"
+
+#include <tuple>
 
 using namespace volumebench;
 using namespace volumebench::test;
@@ -12,6 +13,7 @@ namespace
 enum Integrators
 {
   Midpoint = 1,
+  Segment = 2,
   PreIntegrated = 3
 };
 
@@ -53,11 +55,14 @@ double AlphaOf(const std::string& technique, vtkVolumeProperty* property, int in
 }
 }
 
-class PreIntegration : public EveryTechnique
+class BetweenEnds : public ::testing::TestWithParam<std::tuple<std::string, int>>
 {
+public:
+  static std::string Technique() { return std::get<0>(GetParam()); }
+  static int Integrator() { return std::get<1>(GetParam()); }
 };
 
-TEST_P(PreIntegration, SpikesAreNeverMissed)
+TEST_P(BetweenEnds, SpikesAreNeverMissed)
 {
   constexpr double Half = 0.1;
   constexpr double Height = 10.0;
@@ -67,20 +72,20 @@ TEST_P(PreIntegration, SpikesAreNeverMissed)
   for (const double middle : { 3.05, 3.2, 3.25, 3.5, 3.7, 3.85, 4.0 })
   {
     auto property = SpikeProperty(middle, Half, Height);
-    worst = std::max(worst, std::abs(AlphaOf(GetParam(), property, PreIntegrated) - expected));
+    worst = std::max(worst, std::abs(AlphaOf(Technique(), property, Integrator()) - expected));
     worstOfMidpoint =
-      std::max(worstOfMidpoint, std::abs(AlphaOf(GetParam(), property, Midpoint) - expected));
+      std::max(worstOfMidpoint, std::abs(AlphaOf(Technique(), property, Midpoint) - expected));
   }
   EXPECT_LE(worst, 1e-3);
   EXPECT_GT(worstOfMidpoint, 0.05);
 }
 
-TEST_P(PreIntegration, ConstantFieldsAreExact)
+TEST_P(BetweenEnds, ConstantFieldsAreExact)
 {
-  RenderScene scene(GetParam(), MakeImage(9, 9, 9, [](double, double, double) { return 3.0; }),
+  RenderScene scene(Technique(), MakeImage(9, 9, 9, [](double, double, double) { return 3.0; }),
     MakeLinearExtinctionProperty(0.1, 0.0, 8.0));
   scene.LookAlongZ(5.0);
-  scene.Mapper->SetIntegrator(PreIntegrated);
+  scene.Mapper->SetIntegrator(Integrator());
   for (const double step : { 0.37, 1.0, 20.0 })
   {
     scene.Mapper->SetStepVoxels(step);
@@ -88,7 +93,7 @@ TEST_P(PreIntegration, ConstantFieldsAreExact)
   }
 }
 
-TEST_P(PreIntegration, ColourIsAttenuatedWithinTheStep)
+TEST_P(BetweenEnds, ColourIsAttenuatedWithinTheStep)
 {
   // One step through a medium whose colour goes from black (far) to white (near).
   constexpr double Tau = 0.5;
@@ -97,9 +102,9 @@ TEST_P(PreIntegration, ColourIsAttenuatedWithinTheStep)
   color->AddRGBPoint(0.0, 0.0, 1.0, 0.0);
   color->AddRGBPoint(8.0, 1.0, 0.0, 0.0);
   property->SetColor(color);
-  RenderScene scene(GetParam(), MakeImage(9, 9, 9, AlongDepth), property);
+  RenderScene scene(Technique(), MakeImage(9, 9, 9, AlongDepth), property);
   scene.LookAlongZ(5.0);
-  scene.Mapper->SetIntegrator(PreIntegrated);
+  scene.Mapper->SetIntegrator(Integrator());
   scene.Mapper->SetStepVoxels(8.0);
   const double depth = 8.0 * Tau;
   // Green grows with the distance t from the front as t / 8.
@@ -110,12 +115,12 @@ TEST_P(PreIntegration, ColourIsAttenuatedWithinTheStep)
   EXPECT_NEAR(pixel.Red, pixel.Alpha - green, 2e-3);
 }
 
-TEST_P(PreIntegration, ConvergesToThePictureOfFineSteps)
+TEST_P(BetweenEnds, ConvergesToThePictureOfFineSteps)
 {
-  RenderScene scene(GetParam(), MakeImage(12, 10, 8, Bumpy), BumpyProperty());
+  RenderScene scene(Technique(), MakeImage(12, 10, 8, Bumpy), BumpyProperty());
   scene.Mapper->SetStepVoxels(1.0 / 64.0);
   const FloatPicture reference = scene.Picture();
-  scene.Mapper->SetIntegrator(PreIntegrated);
+  scene.Mapper->SetIntegrator(Integrator());
   double previous = 0.0;
   for (const double step : { 1.0, 0.5, 0.25 })
   {
@@ -130,12 +135,12 @@ TEST_P(PreIntegration, ConvergesToThePictureOfFineSteps)
   EXPECT_LT(previous, 3e-4);
 }
 
-TEST_P(PreIntegration, TableFollowsTheStepAndTheFunction)
+TEST_P(BetweenEnds, TableFollowsTheStepAndTheFunction)
 {
   auto property = SpikeProperty(3.5, 0.1, 10.0);
-  RenderScene scene(GetParam(), MakeImage(9, 9, 9, AlongDepth), property);
+  RenderScene scene(Technique(), MakeImage(9, 9, 9, AlongDepth), property);
   scene.LookAlongZ(5.0);
-  scene.Mapper->SetIntegrator(PreIntegrated);
+  scene.Mapper->SetIntegrator(Integrator());
   const auto alpha = [&] { return PixelAt(scene.Picture(), 32, 32).Alpha; };
   EXPECT_NEAR(alpha(), -std::expm1(-1.0), 1e-3);
   scene.Mapper->SetStepVoxels(2.0);
@@ -147,4 +152,12 @@ TEST_P(PreIntegration, TableFollowsTheStepAndTheFunction)
   EXPECT_NEAR(alpha(), -std::expm1(-2.0), 1e-3);
 }
 
-VOLUMEBENCH_FOR_EVERY_TECHNIQUE(PreIntegration);
+INSTANTIATE_TEST_SUITE_P(Techniques, BetweenEnds,
+  ::testing::Combine(
+    ::testing::ValuesIn(AllTechniques()), ::testing::Values(Segment, PreIntegrated)),
+  [](const ::testing::TestParamInfo<std::tuple<std::string, int>>& info)
+  {
+    std::string name = std::get<0>(info.param);
+    std::replace(name.begin(), name.end(), '-', '_');
+    return name + (std::get<1>(info.param) == Segment ? "_Segment" : "_PreIntegrated");
+  });
