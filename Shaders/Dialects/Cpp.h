@@ -15,6 +15,7 @@ using glm::normalize;
 using glm::pow;
 using std::fabs;
 #define FUNC inline
+#define PRECISE
 #define STRUCT(name) struct name
 #define SCENE_PARAM const BackendScene &scene,
 #define SCENE scene,

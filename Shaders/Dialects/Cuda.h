@@ -7,6 +7,7 @@ typedef float3 vec3;
 typedef float4 vec4;
 typedef int4 ivec4;
 #define FUNC __device__ inline
+#define PRECISE
 #define STRUCT(name) struct name
 #define SCENE_PARAM const BackendScene &scene,
 #define SCENE scene,

@@ -1,6 +1,12 @@
 // GLSL 3.30 and later: the shared text's words, the uniform block and the samplers.
 #define real float
 #define FUNC
+// Keeps a compiler from simplifying what rounding is compensated with.
+#if __VERSION__ >= 400
+#define PRECISE precise
+#else
+#define PRECISE
+#endif
 #define STRUCT(name) struct name
 #define SCENE_PARAM
 #define SCENE

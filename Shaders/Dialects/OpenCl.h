@@ -6,6 +6,7 @@ typedef float3 vec3;
 typedef float4 vec4;
 typedef int4 ivec4;
 #define FUNC
+#define PRECISE
 #define STRUCT(name)                                                                               \
   typedef struct name name;                                                                        \
   struct name

@@ -33,6 +33,12 @@ FUNC vec4 valueContribution(real value, real width)
 #endif
 }
 
+// What a step adds to the sums of a ray.
+FUNC vec4 additionOf(vec4 ray, vec4 contribution)
+{
+  return contribution;
+}
+
 FUNC vec4 accumulate(vec4 ray, vec4 contribution)
 {
 #if WITH_MAXIMUM_BLEND
@@ -82,11 +88,16 @@ FUNC vec4 emptyRay()
   return VEC4(REAL(0.0), REAL(0.0), REAL(0.0), REAL(0.0));
 }
 
-FUNC vec4 accumulate(vec4 ray, vec4 contribution)
+FUNC vec4 additionOf(vec4 ray, vec4 contribution)
 {
   real passing = REAL(1.0) - ray.w;
-  return VEC4(ray.x + passing * contribution.x, ray.y + passing * contribution.y,
-    ray.z + passing * contribution.z, ray.w + passing * contribution.w);
+  return VEC4(passing * contribution.x, passing * contribution.y, passing * contribution.z,
+    passing * contribution.w);
+}
+
+FUNC vec4 accumulate(vec4 ray, vec4 contribution)
+{
+  return ray + additionOf(ray, contribution);
 }
 
 FUNC vec4 finishRay(SCENE_PARAM vec4 ray)

@@ -137,12 +137,25 @@ FUNC vec4 integrate(SCENE_PARAM Ray ray, Interval interval)
     stepCount = TO_INT(ceil((interval.end - interval.begin) / stepLength));
   }
   StepEnd front = stepEndAt(SCENE ray, interval.begin);
+#if WITH_COMPENSATION
+  // What rounding took off the sum is added to the next step (Kahan): over a hundred thousand steps
+  // it would show.
+  PRECISE vec4 lost = VEC4(REAL(0.0), REAL(0.0), REAL(0.0), REAL(0.0));
+#endif
   for (int i = 0; i < stepCount; ++i)
   {
     real stepBegin = interval.begin + TO_REAL(i) * stepLength;
     real width = min(stepLength, interval.end - stepBegin);
     StepEnd back = stepEndAt(SCENE ray, stepBegin + width);
-    result = accumulate(result, contributionOf(SCENE ray, stepBegin, width, front, back));
+    vec4 contribution = contributionOf(SCENE ray, stepBegin, width, front, back);
+#if WITH_COMPENSATION
+    PRECISE vec4 change = additionOf(result, contribution) - lost;
+    PRECISE vec4 sum = result + change;
+    lost = (sum - result) - change;
+    result = sum;
+#else
+    result = accumulate(result, contribution);
+#endif
     front = back;
     taken = i + 1;
 #if WITH_TERMINATION

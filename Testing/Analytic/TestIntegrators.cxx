@@ -39,6 +39,7 @@ VOLUMEBENCH_INSTANCE(LeftFloat, left32)
 VOLUMEBENCH_INSTANCE(LeftDouble, left64)
 VOLUMEBENCH_INSTANCE(MidpointFloat, midpoint32)
 VOLUMEBENCH_INSTANCE(MidpointDouble, midpoint64)
+VOLUMEBENCH_INSTANCE(CompensatedFloat, compensated32)
 VOLUMEBENCH_INSTANCE(TerminatingDouble, terminating64)
 
 std::function<double(double)> Constant(double value)
@@ -180,6 +181,22 @@ TYPED_TEST(EveryIntegrator, ThinMediaKeepTheirDigits)
     const auto result = TypeParam::Integrate(Constant(tau), Constant(1.0), 0.0, 1.0e4, step);
     EXPECT_NEAR(result.w, -std::expm1(-1.0e4 * tau), 1e-4) << "step " << step;
   }
+}
+
+TEST(Compensation, KeepsTheDigitsOfAMillionSteps)
+{
+  const double exact = -std::expm1(-1.0);
+  double worst = 0.0;
+  for (const int steps : { 10000, 100000, 1000000 })
+  {
+    const double step = 1.0 / steps;
+    const auto result = CompensatedFloat::Integrate(Constant(1.0), Constant(Red), 0.0, 1.0, step);
+    EXPECT_NEAR(result.w, exact, 1e-6) << steps << " steps";
+    EXPECT_NEAR(result.x, Red * exact, 1e-6) << steps << " steps";
+    worst = std::max(worst,
+      std::abs(MidpointFloat::Integrate(Constant(1.0), Constant(Red), 0.0, 1.0, step).w - exact));
+  }
+  EXPECT_GT(worst, 1e-5) << "a plain sum is not good enough, or the test is too easy";
 }
 
 TEST(Midpoint, LinearExtinctionIsExact)

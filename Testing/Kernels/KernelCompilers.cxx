@@ -54,9 +54,8 @@ std::string TextFile(const std::string& entry, const FeatureSet& features)
 
 KernelVerdict CompileGlsl(const std::string& entry, const FeatureSet& features)
 {
-  const char* version =
-    ExtensionOf(entry) == ".comp" ? "#version 430 core\n" : "#version 330 core\n";
-  const KernelText text = SpecializeKernel(entry, version + FeatureDefines(features), FindText);
+  const std::string head = GlslHead(ExtensionOf(entry) == ".comp", features);
+  const KernelText text = SpecializeKernel(entry, head, FindText);
   const std::string file = TextFile(entry, features);
   std::ofstream(file) << text.Source;
   const CommandResult result = RunCommand({ GLSLANG_COMPILER, file });

@@ -33,6 +33,7 @@ using real = KERNEL_REAL;
 
 #undef FUNC
 #undef STRUCT
+#undef PRECISE
 #undef SCENE_PARAM
 #undef SCENE
 #undef REAL
@@ -53,6 +54,7 @@ using real = KERNEL_REAL;
 #undef WITH_MIDPOINT
 #undef WITH_SEGMENT
 #undef WITH_PREINTEGRATED
+#undef WITH_COMPENSATION
 #undef WITH_TERMINATION
 #undef WITH_OPAQUE_DEPTH
 #undef WITH_CROP

@@ -45,6 +45,12 @@
 #define WITH_SEGMENT 1
 #include "KernelInstance.h"
 
+#define KERNEL_NAMESPACE compensated32
+#define KERNEL_REAL float
+#define WITH_MIDPOINT 1
+#define WITH_COMPENSATION 1
+#include "KernelInstance.h"
+
 #define KERNEL_NAMESPACE preintegrated64
 #define KERNEL_REAL double
 #define WITH_MIDPOINT 1

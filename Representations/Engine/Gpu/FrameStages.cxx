@@ -1,5 +1,7 @@
 #include "Gpu/FrameStages.h"
 
+#include <algorithm>
+
 namespace volumebench
 {
 void FrameStages::Begin(bool on)
@@ -32,8 +34,17 @@ std::vector<StageTime> FrameStages::Collect()
   std::vector<StageTime> stages;
   for (const Entry& entry : this->Entries)
   {
-    stages.push_back(
-      { entry.Name, entry.Timer < 0 ? entry.Ms : this->Timers[entry.Timer].ElapsedMs() });
+    const double ms = entry.Timer < 0 ? entry.Ms : this->Timers[entry.Timer].ElapsedMs();
+    const auto same = std::find_if(stages.begin(), stages.end(),
+      [&entry](const StageTime& stage) { return stage.Name == entry.Name; });
+    if (same == stages.end())
+    {
+      stages.push_back({ entry.Name, ms });
+    }
+    else
+    {
+      same->Ms += ms;
+    }
   }
   return stages;
 }

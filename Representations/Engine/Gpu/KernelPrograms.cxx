@@ -19,9 +19,8 @@ GlStage StageOf(const std::string& entry)
 GlStageText StageText(const char* entry, const FeatureSet& features, const std::string& defines)
 {
   const GlStage stage = StageOf(entry);
-  const char* version = stage == GlStage::Compute ? "#version 430 core\n" : "#version 330 core\n";
-  return { stage,
-    SpecializeKernel(entry, version + FeatureDefines(features) + defines, EmbeddedKernel) };
+  const std::string head = GlslHead(stage == GlStage::Compute, features);
+  return { stage, SpecializeKernel(entry, head + defines, EmbeddedKernel) };
 }
 }
 

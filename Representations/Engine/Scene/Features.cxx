@@ -1,5 +1,7 @@
 #include "Scene/Features.h"
 
+#include <glm/geometric.hpp>
+
 namespace volumebench
 {
 namespace
@@ -13,6 +15,15 @@ bool Composites(const Scene& s)
 bool HasMode(const Scene& s, BlendMode mode)
 {
   return s.Compositing.Mode == mode;
+}
+
+// From where on the rounding of a sum of steps nears the sixth digit.
+constexpr double ManySteps = 4096.0;
+
+bool HasLongRays(const Scene& s)
+{
+  return 2.0 * glm::length(s.Volume.BoxHalf) > ManySteps * s.Sampling.StepVoxels &&
+    !HasMode(s, BlendMode::Maximum) && !HasMode(s, BlendMode::Minimum);
 }
 
 std::vector<FeatureRow> SamplingRows()
@@ -31,6 +42,8 @@ std::vector<FeatureRow> SamplingRows()
       "the threshold is 0 or the blend mode is Average",
       [](const Scene& s)
       { return s.Sampling.TerminationThreshold > 0.0 && !HasMode(s, BlendMode::Average); } },
+    { Feature::Compensation, "compensation", "WITH_COMPENSATION",
+      "no ray has so many steps that rounding shows", HasLongRays },
   };
 }
 
@@ -119,6 +132,12 @@ std::string FeatureDefines(const FeatureSet& features)
     text += std::string("#define ") + row.Define + (Has(features, row.Bit) ? " 1\n" : " 0\n");
   }
   return text;
+}
+
+std::string GlslHead(bool compute, const FeatureSet& features)
+{
+  const char* version = compute ? "430" : (Has(features, Feature::Compensation) ? "400" : "330");
+  return std::string("#version ") + version + " core\n" + FeatureDefines(features);
 }
 
 std::vector<std::string> FeatureNames(const FeatureSet& features, bool present)

@@ -20,6 +20,7 @@ enum class Feature
   Segment,
   PreIntegrated,
   Termination,
+  Compensation,
   OpaqueDepth,
   Crop,
   CropRegions,
@@ -61,6 +62,9 @@ inline bool Has(const FeatureSet& features, Feature feature)
 
 /// "#define WITH_X 0|1" for every row, so that a kernel may test each of them with #if.
 VOLUMEBENCHENGINE_EXPORT std::string FeatureDefines(const FeatureSet& features);
+
+/// What a GLSL text of these features begins with: the oldest version that has what they need.
+VOLUMEBENCHENGINE_EXPORT std::string GlslHead(bool compute, const FeatureSet& features);
 
 /// Names of the features in the set (`present` true) or left out of it, in table order.
 VOLUMEBENCHENGINE_EXPORT std::vector<std::string> FeatureNames(

@@ -289,9 +289,9 @@ int MakePolygon(const SliceView& view, const SlabCorners& corners, int slab, Sli
 }
 }
 
-void SlicePolygons::Tessellate(const SliceView& view, int threads)
+void SlicePolygons::Tessellate(const SliceView& view, const SlabRange& range, int threads)
 {
-  const int slabs = view.Slabs.Count;
+  const int slabs = range.Count;
   this->Corners.resize(static_cast<std::size_t>(slabs) * SlotCorners);
   this->Counts.resize(slabs);
   const SlabCorners corners(view);
@@ -300,7 +300,7 @@ void SlicePolygons::Tessellate(const SliceView& view, int threads)
     for (int slab = begin; slab < end; ++slab)
     {
       SliceCorner* slot = this->Corners.data() + static_cast<std::size_t>(slab) * SlotCorners;
-      this->Counts[slab] = MakePolygon(view, corners, slab, slot);
+      this->Counts[slab] = MakePolygon(view, corners, range.First + slab, slot);
     }
   };
   std::vector<std::thread> others;

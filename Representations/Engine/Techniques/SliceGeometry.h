@@ -24,6 +24,17 @@ struct SlabSeries
   int Count = 0;
 };
 
+struct SlabRange
+{
+  int First = 0;
+  int Count = 0;
+
+  bool operator==(const SlabRange& other) const
+  {
+    return this->First == other.First && this->Count == other.Count;
+  }
+};
+
 /// A corner of a polygon in normalized device coordinates, and the slab that it belongs to.
 struct SliceCorner
 {
@@ -50,7 +61,7 @@ struct SliceView
 /// MostSlabs.
 VOLUMEBENCHENGINE_EXPORT SliceView MakeSliceView(const Scene& scene, const glm::ivec4& rectangle);
 
-constexpr int MostSlabs = 200000;
+constexpr int MostSlabs = 4000000;
 
 /// Polygons in slots of equal size, so that threads fill them without a lock.
 class VOLUMEBENCHENGINE_EXPORT SlicePolygons
@@ -60,8 +71,8 @@ public:
   /// 8 corners.
   static constexpr int SlotCorners = 20;
 
-  /// Makes all polygons of the view with `threads` threads.
-  void Tessellate(const SliceView& view, int threads);
+  /// Makes the polygons of the view's slabs in the range, with `threads` threads.
+  void Tessellate(const SliceView& view, const SlabRange& range, int threads);
 
   const std::vector<SliceCorner>& GetCorners() const { return this->Corners; }
   /// Corners used in each slot; 0 where the slab does not touch the box.

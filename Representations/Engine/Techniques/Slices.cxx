@@ -4,6 +4,7 @@
 #include "vtkOpenGLState.h"
 #include "vtk_glew.h"
 
+#include <algorithm>
 #include <chrono>
 
 namespace volumebench
@@ -43,6 +44,23 @@ GLenum TargetFormat(const Scene& scene, const FeatureSet& features)
   }
 }
 
+// Slabs in batches: a picture of very many has its sums made in two stages, so that rounding does
+// not gather, and needs no more memory than one batch.
+std::vector<SlabRange> BatchesOf(int slabs, bool backToFront)
+{
+  constexpr int MostInBatch = 4096;
+  std::vector<SlabRange> batches;
+  for (int first = 0; first < slabs; first += MostInBatch)
+  {
+    batches.push_back({ first, std::min(MostInBatch, slabs - first) });
+  }
+  if (backToFront)
+  {
+    std::reverse(batches.begin(), batches.end());
+  }
+  return batches;
+}
+
 // emptyRay of Shared/Composite.h.
 glm::vec4 EmptyRay(const FeatureSet& features)
 {
@@ -60,6 +78,7 @@ FeatureSet Slices::FeaturesFor(const Scene& scene) const
   // Fragments know nothing of those before them, and no ray is set up.
   FeatureSet features = FeaturesNeededBy(scene);
   features.reset(static_cast<std::size_t>(Feature::Termination));
+  features.reset(static_cast<std::size_t>(Feature::Compensation)); // batches do it
   return features.reset(static_cast<std::size_t>(Feature::RasterisedSetUp));
 }
 
@@ -67,6 +86,7 @@ void Slices::Compile(const Scene&)
 {
   this->ProgramOf({ "Viewport.vert", "SlabRays.frag" });
   this->ProgramOf({ "Slices.vert", "Slices.frag" });
+  this->ProgramOf({ "Viewport.vert", "Picture.frag" });
   this->ProgramOf({ "Viewport.vert", "SlicesDisplay.frag" });
 }
 
@@ -75,39 +95,45 @@ int Slices::ThreadsFor(const Scene&, int) const
   return 1;
 }
 
-void Slices::UpdatePolygons(const Scene& scene, const glm::ivec4& rectangle)
+void Slices::UpdatePolygons(const Scene& scene, const SliceView& view, const SlabRange& range)
 {
   const Clock::time_point begin = Clock::now();
-  const SliceView view = MakeSliceView(scene, rectangle);
-  const int threads = this->ThreadsFor(scene, view.Slabs.Count);
-  const bool known = this->CornerBuffer && view == this->View && threads == this->Threads;
+  const int threads = this->ThreadsFor(scene, range.Count);
+  const bool known =
+    this->CornerBuffer && view == this->View && range == this->Range && threads == this->Threads;
   if (!known)
   {
-    this->Polygons.Tessellate(view, threads);
+    this->Polygons.Tessellate(view, range, threads);
     this->View = view;
+    this->Range = range;
     this->Threads = threads;
   }
+  this->OrderPolygons(scene.Sampling.Slices.BackToFront);
   this->GetFrameStages().Add("tessellation", MillisecondsSince(begin));
   this->GetFrameStages().OnDevice("upload",
     [&]
     {
-      if (!this->CornerBuffer)
-      {
-        glGenBuffers(1, &this->CornerBuffer);
-        glGenVertexArrays(1, &this->CornerArray);
-      }
-      glBindVertexArray(this->CornerArray);
-      glBindBuffer(GL_ARRAY_BUFFER, this->CornerBuffer);
       if (!known)
       {
-        const std::vector<SliceCorner>& corners = this->Polygons.GetCorners();
-        glBufferData(
-          GL_ARRAY_BUFFER, corners.size() * sizeof(SliceCorner), corners.data(), GL_STREAM_DRAW);
-        glVertexAttribPointer(CornerAttribute, 3, GL_FLOAT, GL_FALSE, sizeof(SliceCorner), nullptr);
-        glEnableVertexAttribArray(CornerAttribute);
+        this->UploadPolygons();
       }
     });
-  this->OrderPolygons(scene.Sampling.Slices.BackToFront);
+}
+
+void Slices::UploadPolygons()
+{
+  if (!this->CornerBuffer)
+  {
+    glGenBuffers(1, &this->CornerBuffer);
+    glGenVertexArrays(1, &this->CornerArray);
+  }
+  glBindVertexArray(this->CornerArray);
+  glBindBuffer(GL_ARRAY_BUFFER, this->CornerBuffer);
+  const std::vector<SliceCorner>& corners = this->Polygons.GetCorners();
+  glBufferData(
+    GL_ARRAY_BUFFER, corners.size() * sizeof(SliceCorner), corners.data(), GL_STREAM_DRAW);
+  glVertexAttribPointer(CornerAttribute, 3, GL_FLOAT, GL_FALSE, sizeof(SliceCorner), nullptr);
+  glEnableVertexAttribArray(CornerAttribute);
 }
 
 void Slices::OrderPolygons(bool backToFront)
@@ -160,14 +186,8 @@ void Slices::DrawRays(
   this->DrawTriangle(window, nullptr);
 }
 
-void Slices::DrawPolygons(
-  const Scene& scene, vtkOpenGLRenderWindow* window, const glm::ivec4& rectangle)
+void Slices::DrawPolygons(const Scene& scene, vtkOpenGLRenderWindow* window)
 {
-  const OffscreenScope scope(window);
-  this->Target.Resize(
-    glm::ivec2(rectangle.z, rectangle.w), TargetFormat(scene, this->GetFeatures()));
-  this->Target.Bind(window, rectangle, scene.Camera.Viewport);
-  OffscreenTarget::Clear(EmptyRay(this->GetFeatures()));
   const GlProgram& program = this->ProgramOf({ "Slices.vert", "Slices.frag" });
   TextureUnits units(window);
   this->BindWithScene(program, window, units);
@@ -182,12 +202,56 @@ void Slices::DrawPolygons(
   window->GetState()->vtkglBlendEquationSeparate(GL_FUNC_ADD, GL_FUNC_ADD);
 }
 
+// Slabs blended together are blended with others as if they were one.
+void Slices::MergeBatch(const Scene& scene, vtkOpenGLRenderWindow* window)
+{
+  const GlProgram& program = this->ProgramOf({ "Viewport.vert", "Picture.frag" });
+  TextureUnits units(window);
+  this->BindWithScene(program, window, units);
+  program.SetUnit("pictureTexture", units.Attach(this->Batch.GetTexture()));
+  this->SetBlending(scene, window);
+  this->DrawTriangle(window, nullptr);
+  window->GetState()->vtkglBlendEquationSeparate(GL_FUNC_ADD, GL_FUNC_ADD);
+}
+
+void Slices::DrawSlabs(
+  const Scene& scene, vtkOpenGLRenderWindow* window, const glm::ivec4& rectangle)
+{
+  const SliceView view = MakeSliceView(scene, rectangle);
+  const std::vector<SlabRange> batches =
+    BatchesOf(view.Slabs.Count, scene.Sampling.Slices.BackToFront);
+  const glm::ivec4& viewport = scene.Camera.Viewport;
+  const glm::ivec2 size(rectangle.z, rectangle.w);
+  const glm::vec4 empty = EmptyRay(this->GetFeatures());
+  const OffscreenScope scope(window);
+  this->Target.Resize(size, TargetFormat(scene, this->GetFeatures()));
+  this->Target.Bind(window, rectangle, viewport);
+  OffscreenTarget::Clear(empty);
+  for (const SlabRange& batch : batches)
+  {
+    this->UpdatePolygons(scene, view, batch);
+    this->GetFrameStages().OnDevice("drawing",
+      [&]
+      {
+        if (batches.size() == 1)
+        {
+          this->DrawPolygons(scene, window);
+          return;
+        }
+        this->Batch.Resize(size, TargetFormat(scene, this->GetFeatures()));
+        this->Batch.Bind(window, rectangle, viewport);
+        OffscreenTarget::Clear(empty);
+        this->DrawPolygons(scene, window);
+        this->Target.Bind(window, rectangle, viewport);
+        this->MergeBatch(scene, window);
+      });
+  }
+}
+
 void Slices::Draw(const Scene& scene, vtkOpenGLRenderWindow* window, const glm::ivec4& rectangle)
 {
-  this->UpdatePolygons(scene, rectangle);
   this->GetFrameStages().OnDevice("rays", [&] { this->DrawRays(scene, window, rectangle); });
-  this->GetFrameStages().OnDevice("drawing", [&] { this->DrawPolygons(scene, window, rectangle); });
-
+  this->DrawSlabs(scene, window, rectangle);
   const GlProgram& display = this->ProgramOf({ "Viewport.vert", "SlicesDisplay.frag" });
   TextureUnits units(window);
   this->BindWithScene(display, window, units);
@@ -199,6 +263,7 @@ void Slices::Draw(const Scene& scene, vtkOpenGLRenderWindow* window, const glm::
 void Slices::ReleaseOwn()
 {
   this->Target.Release();
+  this->Batch.Release();
   this->Rays.Release();
   if (this->CornerBuffer)
   {
@@ -210,6 +275,7 @@ void Slices::ReleaseOwn()
 void Slices::ForgetOwn()
 {
   this->Target.Forget();
+  this->Batch.Forget();
   this->Rays.Forget();
   this->CornerBuffer = this->CornerArray = 0;
 }

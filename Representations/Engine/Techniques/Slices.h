@@ -21,7 +21,7 @@ protected:
   void ForgetOwn() override;
   std::size_t GetOwnBytes() const override
   {
-    return this->Rays.GetBytes() + this->Target.GetBytes() +
+    return this->Rays.GetBytes() + this->Target.GetBytes() + this->Batch.GetBytes() +
       this->Polygons.GetCorners().size() * sizeof(SliceCorner);
   }
 
@@ -29,19 +29,24 @@ protected:
   virtual int ThreadsFor(const Scene& scene, int slabs) const;
 
 private:
-  void UpdatePolygons(const Scene& scene, const glm::ivec4& rectangle);
+  void UpdatePolygons(const Scene& scene, const SliceView& view, const SlabRange& range);
+  void UploadPolygons();
   void OrderPolygons(bool backToFront);
   void DrawRays(const Scene& scene, vtkOpenGLRenderWindow* window, const glm::ivec4& rectangle);
-  void DrawPolygons(const Scene& scene, vtkOpenGLRenderWindow* window, const glm::ivec4& rectangle);
+  void DrawSlabs(const Scene& scene, vtkOpenGLRenderWindow* window, const glm::ivec4& rectangle);
+  void DrawPolygons(const Scene& scene, vtkOpenGLRenderWindow* window);
+  void MergeBatch(const Scene& scene, vtkOpenGLRenderWindow* window);
   void SetBlending(const Scene& scene, vtkOpenGLRenderWindow* window);
 
   SliceView View;  // of the polygons on the device
+  SlabRange Range; // of the slabs that have them
   int Threads = 0; // that made them
   SlicePolygons Polygons;
   std::vector<int> Firsts; // in drawing order, polygons without corners left out
   std::vector<int> Counts;
   OffscreenTarget Rays; // what the slabs have in common for each pixel
   OffscreenTarget Target;
+  OffscreenTarget Batch; // the slabs of one batch, where there are several
   unsigned int CornerBuffer = 0;
   unsigned int CornerArray = 0;
 };
