@@ -20,15 +20,34 @@
 #define BETWEEN_ENDS 0
 #endif
 
-// The field at an end of a step, for what needs it.
-FUNC StepEnd stepEndAt(SCENE_PARAM Ray ray, real along)
+#if WITH_SEGMENT
+#define SAMPLES_OF_STEP 2
+#else
+#define SAMPLES_OF_STEP 1
+#endif
+
+// The field at a point that is an end or the middle of a step, for what needs it.
+FUNC StepEnd fieldOfStep(SCENE_PARAM Ray ray, real along)
 {
   StepEnd end;
 #if BETWEEN_ENDS || EXTREME_OF_ENDS
-  end.value = fieldAt(SCENE texturePositionOf(ray, along));
+  vec3 position = texturePositionOf(ray, along);
+  end.value = fieldAt(SCENE position);
+#if WITH_BLANKING
+  end.hidden = isBlank(SCENE position);
+#endif
 #else
   end.value = REAL(0.0);
 #endif
+#if WITH_SEGMENT
+  end.hold = REAL(0.0);
+#endif
+  return end;
+}
+
+FUNC StepEnd stepEndAt(SCENE_PARAM Ray ray, real along)
+{
+  StepEnd end = fieldOfStep(SCENE ray, along);
 #if WITH_SEGMENT
   end = withPrefix(SCENE end);
 #endif
@@ -71,11 +90,11 @@ FUNC vec4 contributionOf(
 #if BETWEEN_ENDS
 // What the transfer function makes of the field between the ends of a step. Where an end is hidden
 // its value means nothing, and the middle of the step speaks for it.
-FUNC vec4 classifiedStep(SCENE_PARAM Ray ray, real stepBegin, real width, StepEnd front, StepEnd back)
+FUNC vec4 classifiedStep(
+  SCENE_PARAM Ray ray, real stepBegin, real width, StepEnd front, StepEnd back)
 {
 #if WITH_BLANKING
-  if (isBlank(SCENE texturePositionOf(ray, stepBegin)) ||
-    isBlank(SCENE texturePositionOf(ray, stepBegin + width)))
+  if (front.hidden || back.hidden)
   {
     return classifiedAt(SCENE texturePositionOf(ray, samplePoint(stepBegin, width)));
   }
@@ -95,7 +114,7 @@ FUNC vec4 classifiedStep(SCENE_PARAM Ray ray, real stepBegin, real width, StepEn
 }
 #endif
 
-// Premultiplied colour and opacity of one step with the given ends.
+// Premultiplied colour and opacity of one step (or half of it) with the given ends.
 FUNC vec4 contributionOf(
   SCENE_PARAM Ray ray, real stepBegin, real width, StepEnd front, StepEnd back)
 {
@@ -111,6 +130,23 @@ FUNC vec4 contributionOf(
   return VEC4(opacity * sampled.x, opacity * sampled.y, opacity * sampled.z, opacity);
 }
 #endif
+
+// All that a step adds to a ray: for Segment that of its halves, one behind the other.
+FUNC vec4 stepOf(SCENE_PARAM Ray ray, real stepBegin, real width, StepEnd front, StepEnd back)
+{
+#if WITH_SEGMENT
+  real halfWidth = REAL(0.5) * width;
+  StepEnd middle = fieldOfStep(SCENE ray, stepBegin + halfWidth);
+#if WITH_BLANKING
+  middle.hidden = front.hidden || middle.hidden || back.hidden;
+#endif
+  middle = bentMiddle(SCENE front, middle, back);
+  return accumulate(contributionOf(SCENE ray, stepBegin, halfWidth, front, middle),
+    contributionOf(SCENE ray, stepBegin + halfWidth, halfWidth, middle, back));
+#else
+  return contributionOf(SCENE ray, stepBegin, width, front, back);
+#endif
+}
 
 // What is written for a ray: premultiplied colour and opacity, or for measuring samples taken,
 // samples skipped and whether the ray stopped early.
@@ -147,7 +183,7 @@ FUNC vec4 integrate(SCENE_PARAM Ray ray, Interval interval)
     real stepBegin = interval.begin + TO_REAL(i) * stepLength;
     real width = min(stepLength, interval.end - stepBegin);
     StepEnd back = stepEndAt(SCENE ray, stepBegin + width);
-    vec4 contribution = contributionOf(SCENE ray, stepBegin, width, front, back);
+    vec4 contribution = stepOf(SCENE ray, stepBegin, width, front, back);
 #if WITH_COMPENSATION
     PRECISE vec4 change = additionOf(result, contribution) - lost;
     PRECISE vec4 sum = result + change;
@@ -157,7 +193,7 @@ FUNC vec4 integrate(SCENE_PARAM Ray ray, Interval interval)
     result = accumulate(result, contribution);
 #endif
     front = back;
-    taken = i + 1;
+    taken = (i + 1) * SAMPLES_OF_STEP;
 #if WITH_TERMINATION
     if (isFinished(SCENE result))
     {
@@ -209,7 +245,8 @@ FUNC vec4 castSlab(SCENE_PARAM vec3 texturePosition, vec3 texturePerDepth, vec4 
   real slabBegin = max(slabRay.x, nearDepth);
   real width = min(slabRay.y, farDepth) - slabBegin;
 #if WITH_SAMPLE_COUNT
-  return VEC4(width > REAL(0.0) ? REAL(1.0) : REAL(0.0), REAL(0.0), REAL(0.0), REAL(0.0));
+  real samples = width > REAL(0.0) ? REAL(SAMPLES_OF_STEP) : REAL(0.0);
+  return VEC4(samples, REAL(0.0), REAL(0.0), REAL(0.0));
 #else
   if (width <= REAL(0.0))
   {
@@ -217,7 +254,7 @@ FUNC vec4 castSlab(SCENE_PARAM vec3 texturePosition, vec3 texturePerDepth, vec4 
   }
   Ray ray = rayInSlab(SCENE texturePosition, texturePerDepth, slabRay.z, slabRay.w);
   real stepBegin = slabBegin - REAL(0.5) * (nearDepth + farDepth);
-  return contributionOf(SCENE ray, stepBegin, width, stepEndAt(SCENE ray, stepBegin),
+  return stepOf(SCENE ray, stepBegin, width, stepEndAt(SCENE ray, stepBegin),
     stepEndAt(SCENE ray, stepBegin + width));
 #endif
 }

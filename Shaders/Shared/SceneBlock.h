@@ -54,7 +54,8 @@ SCENE_BLOCK_BEGIN
   vec4 gradientY;       // xyz: second row
   vec4 gradientZ;       // xyz: third row
   vec4 gradientOpacity; // x, y: scale and offset from gradient magnitude to its table coordinate
-  vec4 sampling;        // x: step in voxels; y: opacity at which a ray stops; z: the distance over
+  vec4 sampling;        // x: step in voxels, which for Segment, with a sample in its middle, is two
+                        // of the user's; y: opacity at which a ray stops; z: the distance over
                         // which opacity is given, in data units
   vec4 material;        // ambient, diffuse, specular, specular power
   vec4 lightCount;      // x: number of lights in use; y: weight of lighting per stored difference

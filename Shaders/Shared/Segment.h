@@ -1,9 +1,13 @@
-// Segment: a step as the part of the transfer function that the field passes through between the
-// step's two ends, taken as linear there. Prefix integrals of the extinction tau and of colour times
-// tau over the values give the mean extinction exactly, however narrow a peak is, and the mean
-// colour. Within an opaque step the colour seen is that of its front: colour is taken as linear in
-// optical depth, as the exponential integrators of stiff equations do (ETD2), and kept between the
-// colours that the step has.
+// Segment: a step as the part of the transfer function that the field passes through on its way.
+// Prefix integrals of the extinction tau and of colour times tau over the values give the mean
+// extinction between two values exactly, however narrow a peak is, and the mean colour. Within an
+// opaque step the colour seen is that of its front: colour is taken as linear in optical depth, as
+// the exponential integrators of stiff equations do (ETD2), and kept between the colours that the
+// step has.
+//
+// A step has samples at both ends and in the middle, and the field is taken as linear from end to
+// middle to end, bent there so that its mean is that of Simpson's rule: straight lines alone would
+// err towards one side wherever the field is curved.
 //
 // Prefix integrals are whole numbers, so that differences of neighbours lose nothing beside large
 // sums elsewhere. Between two of them the integral is linear.
@@ -15,11 +19,15 @@
 #define THIN_DEPTH REAL(0.01)
 #endif
 
-// The field at an end of a step, as the integrator needs it.
+// The field at an end of a step, or of its half, as the integrator needs it.
 STRUCT(StepEnd)
 {
   real value;
+#if WITH_BLANKING
+  bool hidden; // the value means nothing
+#endif
 #if WITH_SEGMENT
+  real hold;    // share of the half step over which the field stays at this end's value
   int cell;     // of the prefix table
   real inCell;  // position in it; beyond 0 and 1 outside the table
   ivec4 before; // prefix integrals at the beginning of the cell: colour times tau, tau
@@ -39,14 +47,33 @@ FUNC StepEnd withPrefix(SCENE_PARAM StepEnd end)
   return end;
 }
 
+// The end between the halves of a step, from the field in the middle. The bend that gives the mean
+// of Simpson's rule may lie outside the three values: then the field goes to the outermost of them
+// and stays there a while, which gives that mean too and invents no value.
+FUNC StepEnd bentMiddle(SCENE_PARAM StepEnd front, StepEnd middle, StepEnd back)
+{
+  real ends = front.value + back.value;
+  real low = min(middle.value, min(front.value, back.value));
+  real high = max(middle.value, max(front.value, back.value));
+  real bend = (REAL(8.0) * middle.value - ends) * REAL(0.16666666666666667);
+  real value = max(low, min(bend, high));
+  real overMean = value - REAL(0.25) * (ends + REAL(2.0) * value);
+  real missing = REAL(0.5) * (bend - value);
+  StepEnd bent = middle;
+  bent.value = value;
+  bent.hold = fabs(missing) < fabs(overMean) ? missing / overMean : REAL(0.0);
+  return withPrefix(SCENE bent);
+}
+
 FUNC vec4 prefixDifference(ivec4 from, ivec4 to)
 {
   return VEC4(TO_REAL(to.x - from.x), TO_REAL(to.y - from.y), TO_REAL(to.z - from.z),
     TO_REAL(to.w - from.w));
 }
 
-// Mean over the values between two ends, in units per cell. Summed from the cells' parts, whose
-// shares add up to the span, so that it stays a mean however close the ends are.
+// Mean over the values between two ends and those where the field stays, in units per cell. Summed
+// from the cells' parts, whose shares add up to the span, so that it stays a mean however close the
+// ends are.
 FUNC vec4 prefixMean(StepEnd front, StepEnd back)
 {
   vec4 inFront = prefixDifference(front.before, front.after);
@@ -65,8 +92,9 @@ FUNC vec4 prefixMean(StepEnd front, StepEnd back)
     between = prefixDifference(back.after, front.before);
     cells = TO_REAL(front.cell - back.cell - 1);
   }
-  return (REAL(1.0) / (frontShare + backShare + cells)) *
-    (frontShare * inFront + backShare * inBack + between);
+  real moving = (REAL(1.0) - front.hold - back.hold) / (frontShare + backShare + cells);
+  return (moving * frontShare + front.hold) * inFront +
+    (moving * backShare + back.hold) * inBack + moving * between;
 }
 
 // How far the colour of a step of optical depth z is seen from its front: 0 where it is thin and

@@ -47,6 +47,7 @@ using real = KERNEL_REAL;
 #undef CLIP_PLANE_LIMIT
 #undef EXTREME_OF_ENDS
 #undef BETWEEN_ENDS
+#undef SAMPLES_OF_STEP
 #undef FEWEST_UNITS
 #undef THIN_DEPTH
 

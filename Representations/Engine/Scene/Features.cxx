@@ -134,6 +134,12 @@ std::string FeatureDefines(const FeatureSet& features)
   return text;
 }
 
+double KernelStepVoxels(const Scene& scene)
+{
+  const bool segments = Has(FeaturesNeededBy(scene), Feature::Segment);
+  return segments ? 2.0 * scene.Sampling.StepVoxels : scene.Sampling.StepVoxels;
+}
+
 std::string GlslHead(bool compute, const FeatureSet& features)
 {
   const char* version = compute ? "430" : (Has(features, Feature::Compensation) ? "400" : "330");

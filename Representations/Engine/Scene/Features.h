@@ -63,6 +63,10 @@ inline bool Has(const FeatureSet& features, Feature feature)
 /// "#define WITH_X 0|1" for every row, so that a kernel may test each of them with #if.
 VOLUMEBENCHENGINE_EXPORT std::string FeatureDefines(const FeatureSet& features);
 
+/// Voxels that the kernel takes as one step: twice the scene's for Segment, which has a sample in
+/// the middle of each.
+VOLUMEBENCHENGINE_EXPORT double KernelStepVoxels(const Scene& scene);
+
 /// What a GLSL text of these features begins with: the oldest version that has what they need.
 VOLUMEBENCHENGINE_EXPORT std::string GlslHead(bool compute, const FeatureSet& features);
 

@@ -1,5 +1,7 @@
 #include "Scene/PackScene.h"
 
+#include "Scene/Features.h"
+
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
@@ -260,7 +262,7 @@ SceneBlock64 PackScene(const Scene& scene)
   PackTable(scene, block);
   PackExtremes(scene, block);
   PackGradientOpacity(scene, block);
-  block.sampling = { scene.Sampling.StepVoxels, 1.0 - scene.Sampling.TerminationThreshold,
+  block.sampling = { KernelStepVoxels(scene), 1.0 - scene.Sampling.TerminationThreshold,
     scene.TransferFunction.UnitDistance, 0.0 };
   PackLighting(scene, block);
   return block;

@@ -1,5 +1,7 @@
 #include "Techniques/SliceGeometry.h"
 
+#include "Scene/Features.h"
+
 #include "Scene/PackScene.h"
 
 #include <glm/common.hpp>
@@ -83,7 +85,7 @@ double DepthPerStep(
       Xyz(block.rayDirection) + x * Xyz(block.rayDirectionX) + y * Xyz(block.rayDirectionY);
     least = std::min(least, glm::dot(view.DepthGradient, glm::normalize(direction)));
   }
-  return scene.Sampling.StepVoxels * least;
+  return KernelStepVoxels(scene) * least;
 }
 
 Range ExtentOf(const Scene& scene, const SliceView& view, const SceneBlock64& block)
