@@ -1,5 +1,6 @@
-// C++17 on GLM, for float and double. Included inside a namespace that has defined the type `real`;
-// see Testing/Support/KernelInstance.h. The field and the table are functions of the host program.
+// C++17 on GLM, for float and double. Included inside a namespace that has defined the type `real`; see
+// Representations/Engine/Scene/KernelInstance.h. The field and the table are functions of the host
+// program.
 using vec2 = glm::vec<2, real>;
 using vec3 = glm::vec<3, real>;
 using vec4 = glm::vec<4, real>;

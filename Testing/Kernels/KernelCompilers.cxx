@@ -71,7 +71,7 @@ KernelVerdict CompileWith(
     words.push_back(std::string("-D") + row.Define + (Has(features, row.Bit) ? "=1" : "=0"));
   }
   for (const std::string& folder :
-    { ShaderFolder, ProbeFolder, std::string(SOURCE_FOLDER "/Testing/Support") })
+    { ShaderFolder, ProbeFolder, std::string(SOURCE_FOLDER "/Representations/Engine") })
   {
     words.insert(words.end(), { "-I", folder });
   }

@@ -93,7 +93,7 @@ INSTANTIATE_TEST_SUITE_P(Every, BrokenKernels,
 
 TEST(KernelInstance, UndefinesEveryFeature)
 {
-  std::ifstream file(SOURCE_FOLDER "/Testing/Support/KernelInstance.h");
+  std::ifstream file(SOURCE_FOLDER "/Representations/Engine/Scene/KernelInstance.h");
   const std::string text(std::istreambuf_iterator<char>(file), {});
   for (const FeatureRow& row : FeatureTable())
   {

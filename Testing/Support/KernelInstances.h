@@ -5,119 +5,119 @@
 
 #define KERNEL_NAMESPACE left32
 #define KERNEL_REAL float
-#include "KernelInstance.h"
+#include "Scene/KernelInstance.h"
 
 #define KERNEL_NAMESPACE left64
 #define KERNEL_REAL double
-#include "KernelInstance.h"
+#include "Scene/KernelInstance.h"
 
 #define KERNEL_NAMESPACE midpoint32
 #define KERNEL_REAL float
 #define WITH_MIDPOINT 1
-#include "KernelInstance.h"
+#include "Scene/KernelInstance.h"
 
 #define KERNEL_NAMESPACE midpoint64
 #define KERNEL_REAL double
 #define WITH_MIDPOINT 1
-#include "KernelInstance.h"
+#include "Scene/KernelInstance.h"
 
 #define KERNEL_NAMESPACE terminating64
 #define KERNEL_REAL double
 #define WITH_MIDPOINT 1
 #define WITH_TERMINATION 1
-#include "KernelInstance.h"
+#include "Scene/KernelInstance.h"
 
 #define KERNEL_NAMESPACE clipping64
 #define KERNEL_REAL double
 #define WITH_CROP 1
 #define WITH_OPAQUE_DEPTH 1
-#include "KernelInstance.h"
+#include "Scene/KernelInstance.h"
 
 #define KERNEL_NAMESPACE segment32
 #define KERNEL_REAL float
 #define WITH_MIDPOINT 1
 #define WITH_SEGMENT 1
-#include "KernelInstance.h"
+#include "Scene/KernelInstance.h"
 
 #define KERNEL_NAMESPACE segment64
 #define KERNEL_REAL double
 #define WITH_MIDPOINT 1
 #define WITH_SEGMENT 1
-#include "KernelInstance.h"
+#include "Scene/KernelInstance.h"
 
 #define KERNEL_NAMESPACE compensated32
 #define KERNEL_REAL float
 #define WITH_MIDPOINT 1
 #define WITH_COMPENSATION 1
-#include "KernelInstance.h"
+#include "Scene/KernelInstance.h"
 
 #define KERNEL_NAMESPACE preintegrated64
 #define KERNEL_REAL double
 #define WITH_MIDPOINT 1
 #define WITH_PREINTEGRATED 1
-#include "KernelInstance.h"
+#include "Scene/KernelInstance.h"
 
 #define KERNEL_NAMESPACE maximum64
 #define KERNEL_REAL double
 #define WITH_MIDPOINT 1
 #define WITH_MAXIMUM_BLEND 1
 #define WITH_TERMINATION 1
-#include "KernelInstance.h"
+#include "Scene/KernelInstance.h"
 
 #define KERNEL_NAMESPACE minimum64
 #define KERNEL_REAL double
 #define WITH_MIDPOINT 1
 #define WITH_MINIMUM_BLEND 1
 #define WITH_TERMINATION 1
-#include "KernelInstance.h"
+#include "Scene/KernelInstance.h"
 
 #define KERNEL_NAMESPACE average64
 #define KERNEL_REAL double
 #define WITH_MIDPOINT 1
 #define WITH_AVERAGE_BLEND 1
-#include "KernelInstance.h"
+#include "Scene/KernelInstance.h"
 
 #define KERNEL_NAMESPACE gradient64
 #define KERNEL_REAL double
 #define WITH_MIDPOINT 1
 #define WITH_GRADIENT_BLEND 1
-#include "KernelInstance.h"
+#include "Scene/KernelInstance.h"
 
 #define KERNEL_NAMESPACE gradientOpacity64
 #define KERNEL_REAL double
 #define WITH_MIDPOINT 1
 #define WITH_GRADIENT_OPACITY 1
-#include "KernelInstance.h"
+#include "Scene/KernelInstance.h"
 
 #define KERNEL_NAMESPACE blanking64
 #define KERNEL_REAL double
 #define WITH_MIDPOINT 1
 #define WITH_BLANKING 1
-#include "KernelInstance.h"
+#include "Scene/KernelInstance.h"
 
 #define KERNEL_NAMESPACE blankingMaximum64
 #define KERNEL_REAL double
 #define WITH_MIDPOINT 1
 #define WITH_BLANKING 1
 #define WITH_MAXIMUM_BLEND 1
-#include "KernelInstance.h"
+#include "Scene/KernelInstance.h"
 
 #define KERNEL_NAMESPACE cropRegions64
 #define KERNEL_REAL double
 #define WITH_MIDPOINT 1
 #define WITH_CROP_REGIONS 1
-#include "KernelInstance.h"
+#include "Scene/KernelInstance.h"
 
 #define KERNEL_NAMESPACE clipPlanes64
 #define KERNEL_REAL double
 #define WITH_CLIP_PLANES 1
-#include "KernelInstance.h"
+#include "Scene/KernelInstance.h"
 
 #define KERNEL_NAMESPACE counting64
 #define KERNEL_REAL double
 #define WITH_MIDPOINT 1
 #define WITH_TERMINATION 1
 #define WITH_SAMPLE_COUNT 1
-#include "KernelInstance.h"
+#include "Scene/KernelInstance.h"
 
 #endif

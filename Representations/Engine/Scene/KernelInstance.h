@@ -1,10 +1,11 @@
 // Instantiates the shared kernel text as C++ in a namespace of its own, for one number type and one
-// set of features. It has no include guard: include it once for each instance that is needed.
+// set of features: for the reference renderer and for tests. It has no include guard: include it once
+// for each instance that is needed.
 //
 //   #define KERNEL_NAMESPACE midpoint64
 //   #define KERNEL_REAL double
 //   #define WITH_MIDPOINT 1
-//   #include "KernelInstance.h"
+//   #include "Scene/KernelInstance.h"
 //
 // gives midpoint64::SceneBlock, BackendScene, Ray, castRay, integrate and the rest of Shared/. The
 // preprocessor reads a feature that is not defined as 0. All macros are gone after the include.
