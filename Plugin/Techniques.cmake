@@ -10,3 +10,4 @@ volumebench_technique(slices CLASS Slices LABEL "Volume Slices"
   SETTINGS SliceExtent SliceOrder SliceTarget)
 volumebench_technique(slices-threaded CLASS SlicesThreaded LABEL "Volume Slices Threaded"
   SETTINGS SliceExtent SliceOrder SliceTarget SliceThreads)
+volumebench_technique(reference CLASS Reference LABEL "Volume Reference")

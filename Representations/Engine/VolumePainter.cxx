@@ -30,6 +30,10 @@ auto InBlock(const std::string& name, const Action& action)
   {
     throw;
   }
+  catch (const AbortedError&)
+  {
+    throw;
+  }
   catch (const SceneError& error)
   {
     throw SceneError(name.empty() ? error.what() : "in block " + name + ", " + error.what());
@@ -174,10 +178,15 @@ void VolumePainter::PrepareAll(const std::vector<PartScene>& scenes)
   }
 }
 
-void VolumePainter::RenderAll(const std::vector<PartScene>& scenes)
+void VolumePainter::RenderAll(const std::vector<PartScene>& scenes, vtkVolumeBenchMapper* mapper)
 {
+  double done = 0.0;
   for (const PartScene& scene : scenes)
   {
+    const auto all = static_cast<double>(scenes.size());
+    scene.Drawn->Technique->SetProgress(
+      [mapper, done, all](double share) { mapper->UpdateProgress((done + share) / all); });
+    done += 1.0;
     InBlock(scene.Drawn->Name, [&] { scene.Drawn->Technique->Render(scene.Scene, this->Window); });
   }
 }
@@ -190,7 +199,7 @@ void VolumePainter::Draw(vtkVolumeBenchMapper* mapper, vtkRenderer* renderer, vt
     this->ScenesBackToFront(mapper, renderer, volume, ReadGlViewport(this->Window));
   // All blocks are ready before the first is drawn, so that a failure leaves no part of a picture.
   this->PrepareAll(scenes);
-  this->RenderAll(scenes);
+  this->RenderAll(scenes, mapper);
 }
 
 void VolumePainter::Mark(
@@ -207,7 +216,7 @@ void VolumePainter::Mark(
     scene.Scene.Clip.OpaqueGeometry = true; // in a selection pass all props leave their depth
   }
   this->PrepareAll(scenes);
-  this->Selection.DrawPicture(this->Window, viewport, [&] { this->RenderAll(scenes); });
+  this->Selection.DrawPicture(this->Window, viewport, [&] { this->RenderAll(scenes, mapper); });
   for (PartScene& scene : scenes)
   {
     scene.Scene.Camera.Viewport = viewport;

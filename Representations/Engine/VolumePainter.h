@@ -62,7 +62,7 @@ private:
   void UseTechnique(const std::string& id);
   void UseWindow(vtkRenderer* renderer);
   void PrepareAll(const std::vector<PartScene>& scenes);
-  void RenderAll(const std::vector<PartScene>& scenes);
+  void RenderAll(const std::vector<PartScene>& scenes, vtkVolumeBenchMapper* mapper);
   void UseBlocks(const std::vector<Block>& blocks);
   std::vector<PartScene> ScenesBackToFront(vtkVolumeBenchMapper* mapper, vtkRenderer* renderer,
     vtkVolume* volume, const glm::ivec4& viewport);

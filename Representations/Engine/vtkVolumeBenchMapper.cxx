@@ -68,6 +68,7 @@ void vtkVolumeBenchMapper::Internals::DrawOrMark(
 void vtkVolumeBenchMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
 {
   std::string failure;
+  bool aborted = false;
   this->Internal->Unsupported = false;
   try
   {
@@ -78,12 +79,17 @@ void vtkVolumeBenchMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
     failure = error.what();
     this->Internal->Unsupported = true;
   }
+  catch (const volumebench::AbortedError& error)
+  {
+    failure = error.what();
+    aborted = true;
+  }
   catch (const std::exception& error)
   {
     failure = error.what();
   }
-  // Once per cause, not once per frame.
-  if (!failure.empty() && failure != this->Internal->Failure)
+  // Once per cause, not once per frame; an abort is no error.
+  if (!aborted && !failure.empty() && failure != this->Internal->Failure)
   {
     vtkErrorMacro("Volume not drawn: " << failure);
   }

@@ -99,9 +99,11 @@ TEST_P(Experiments, OneRowPerRunWithItsError)
   }
   EXPECT_EQ(results[0].Integrator, "Left");
   EXPECT_EQ(results[4].Integrator, "");
-  // A shorter step and the better integrator are closer to the reference.
-  EXPECT_LT(results[1].Error.Rmse, results[0].Error.Rmse);
-  EXPECT_LT(results[3].Error.Rmse, results[1].Error.Rmse);
+  if (HasSteps(GetParam())) // a shorter step and the better integrator are closer to the reference
+  {
+    EXPECT_LT(results[1].Error.Rmse, results[0].Error.Rmse);
+    EXPECT_LT(results[3].Error.Rmse, results[1].Error.Rmse);
+  }
 }
 
 TEST_P(Experiments, ProgressGrowsToTheEnd)
@@ -150,7 +152,7 @@ TEST_P(Experiments, CountsTheSamplesOfAConstantCube)
   settings.ErrorViews = 0;
   settings.TerminationThreshold = 0.0; // else a projection stops at the largest value there is
   const RayLengths expected = LengthsInCube(settings, small.Image->GetBounds());
-  const bool slicing = GetParam().rfind("slices", 0) == 0;
+  const bool slicing = IsSliced(GetParam());
   for (const int mode : { 0, 1, 2, 3, vtkVolumeBenchMapper::GRADIENT_BLEND })
   {
     small.Input.BlendMode = mode;
@@ -159,7 +161,10 @@ TEST_P(Experiments, CountsTheSamplesOfAConstantCube)
     const SampleCount& samples = results[0].Samples;
     const double total = samples.Taken + samples.Skipped;
     EXPECT_GE(total, (slicing ? 0.96 : 0.999) * expected.Sum) << results[0].BlendMode;
-    EXPECT_LE(total, (slicing ? 1.1 : 1.001) * expected.Sum + expected.Rays);
+    if (HasSteps(GetParam())) // else cells are counted, as many as the ray crosses
+    {
+      EXPECT_LE(total, (slicing ? 1.1 : 1.001) * expected.Sum + expected.Rays);
+    }
     EXPECT_EQ(samples.RaysTerminated, 0.0);
   }
 }

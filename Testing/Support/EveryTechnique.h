@@ -19,6 +19,23 @@ inline std::vector<std::string> AllTechniques()
   return ids;
 }
 
+inline bool IsSliced(const std::string& technique)
+{
+  return technique.rfind("slices", 0) == 0;
+}
+
+/// Whether step and integrator matter to the technique: to all but the exact one.
+inline bool HasSteps(const std::string& technique)
+{
+  return technique != "reference";
+}
+
+/// Whether a ray may stop at the termination threshold.
+inline bool StopsEarly(const std::string& technique)
+{
+  return HasSteps(technique) && !IsSliced(technique);
+}
+
 inline std::string TestNameOf(const ::testing::TestParamInfo<std::string>& info)
 {
   std::string name = info.param;

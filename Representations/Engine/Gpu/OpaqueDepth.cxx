@@ -81,6 +81,15 @@ void OpaqueDepth::Capture(vtkOpenGLRenderWindow* window, const glm::ivec4& viewp
   state->PopReadFramebufferBinding();
 }
 
+std::vector<float> OpaqueDepth::Read(const glm::ivec4& viewport)
+{
+  std::vector<float> depth(static_cast<std::size_t>(viewport.z) * viewport.w);
+  this->Texture.Bind(GL_TEXTURE_2D);
+  glGetTexImage(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT, GL_FLOAT, depth.data());
+  this->Texture.Unbind();
+  return depth;
+}
+
 void OpaqueDepth::Resolve(const glm::ivec4& viewport, int drawFramebuffer)
 {
   const GLint format = DepthFormat(drawFramebuffer);

@@ -6,6 +6,8 @@
 
 #include <glm/vec4.hpp>
 
+#include <vector>
+
 class vtkOpenGLRenderWindow;
 
 namespace volumebench
@@ -16,6 +18,9 @@ public:
   /// Copies the depth of `viewport` (x, y, width, height) from the bound draw framebuffer;
   /// multisampled framebuffers are resolved. Without a depth buffer every texel is 1.
   void Capture(vtkOpenGLRenderWindow* window, const glm::ivec4& viewport);
+
+  /// What was captured, row by row from the bottom.
+  std::vector<float> Read(const glm::ivec4& viewport);
 
   GlTexture& GetTexture() { return this->Texture; }
   void Release();

@@ -15,6 +15,9 @@ namespace
 // A ray's tolerance is spread over about as many pieces as it has.
 constexpr double PiecesPerRay = 256.0;
 
+// Voxels; parts of a ray that are shorter are rounding, and no telling in which cell they lie.
+constexpr double ShortestPart = 1.0e-12;
+
 // Calls visit(cell) for every cell that is not blank, until it returns false.
 template <typename Visit>
 void ForEachCell(const ReferenceScene& scene, const shared64::Ray& ray, const VisibleParts& visible,
@@ -28,7 +31,7 @@ void ForEachCell(const ReferenceScene& scene, const shared64::Ray& ray, const Vi
       scene.Borders,
       [&](double begin, double end)
       {
-        if (!scene.IsBlank(ray, 0.5 * (begin + end)))
+        if (end - begin > ShortestPart && !scene.IsBlank(ray, 0.5 * (begin + end)))
         {
           goOn = visit(CellOnRay(scene, ray, origin, begin, end));
         }

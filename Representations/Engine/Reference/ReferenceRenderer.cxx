@@ -141,6 +141,21 @@ ReferenceRenderer::ReferenceRenderer()
 
 ReferenceRenderer::~ReferenceRenderer() = default;
 
+void ReferenceRenderer::Prepare(const Scene& scene)
+{
+  this->Data->Sources.Update(scene);
+}
+
+double ReferenceRenderer::GetFieldMs() const
+{
+  return this->Data->Sources.FieldMs;
+}
+
+double ReferenceRenderer::GetFunctionMs() const
+{
+  return this->Data->Sources.FunctionMs;
+}
+
 ReferencePicture ReferenceRenderer::Render(const Scene& scene, const ReferenceOptions& options,
   const std::vector<float>* windowDepth, const ReferenceProgress& progress)
 {
@@ -153,7 +168,7 @@ ReferencePicture ReferenceRenderer::Render(const Scene& scene, const ReferenceOp
   picture.Width = (picture.Rectangle.z + options.PixelsPerRay - 1) / options.PixelsPerRay;
   picture.Height = (picture.Rectangle.w + options.PixelsPerRay - 1) / options.PixelsPerRay;
   picture.Pixels.resize(static_cast<std::size_t>(picture.Width) * picture.Height);
-  this->Data->Sources.Update(scene);
+  this->Prepare(scene);
   const ReferenceScene read(scene, this->Data->Sources);
   Painter painter(scene, read, options, windowDepth, picture);
   const int tiles = painter.TileCount();

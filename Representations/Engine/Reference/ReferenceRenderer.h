@@ -55,8 +55,17 @@ public:
   ReferenceRenderer();
   ~ReferenceRenderer();
 
+  /// Makes what is kept of the scene's data from picture to picture. Throws SceneError.
+  void Prepare(const Scene& scene);
+
+  ///@{
+  /// What the making took when it was last done: of the values, of the transfer function.
+  double GetFieldMs() const;
+  double GetFunctionMs() const;
+  ///@}
+
   /// `windowDepth` is the depth of opaque geometry for each pixel of the viewport; null when there
-  /// is none. Throws SceneError. What was made of the data is kept for the next picture.
+  /// is none. Throws SceneError. Prepares first if that was not done.
   ReferencePicture Render(const Scene& scene, const ReferenceOptions& options = {},
     const std::vector<float>* windowDepth = nullptr, const ReferenceProgress& progress = {});
 

@@ -34,11 +34,14 @@ public:
     StoredFunction ColorFunction;     // of the first of two channels
     ChangeStamp FieldStamp = 0;
     ChangeStamp FunctionStamp = 0;
+    double FieldMs = 0.0; // what the making took
+    double FunctionMs = 0.0;
 
+    /// Makes anew what the scene changed. Throws SceneError when it has no exact transfer function.
     void Update(const Scene& scene);
   };
 
-  /// Both must outlive this. Throws SceneError when the scene has no exact transfer function.
+  /// Both must outlive this, and the sources be updated with the scene.
   ReferenceScene(const Scene& scene, const Sources& sources);
 
   /// Copies would keep reading the original: the block holds functions that refer to it.

@@ -95,6 +95,7 @@ bool StoredFunction::Fit(std::size_t index, double low, double high, int count)
   const double width = (high - low) / count;
   const double largest = std::max(this->Exact->InPiece(index, this->DataValue(low)).w,
     this->Exact->InPiece(index, this->DataValue(high)).w);
+  piece.Least = FitTolerance * largest;
   const glm::dvec4 tolerance = FitTolerance * glm::dvec4(1.0, 1.0, 1.0, largest);
   bool fits = std::isfinite(piece.PerStored);
   for (int i = 0; i < count && fits; ++i)
@@ -134,7 +135,7 @@ inline glm::dvec4 StoredFunction::InPolynomial(const Piece& piece, double stored
   {
     value = p[power] + x * value;
   }
-  value.w = std::max(value.w, 0.0);
+  value.w = value.w > piece.Least ? value.w : 0.0;
   return value;
 }
 

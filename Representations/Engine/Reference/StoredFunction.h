@@ -51,6 +51,7 @@ private:
     int Count = 0;          // 0: read from the exact function
     double Begin = 0.0;     // where the first polynomial begins
     double PerStored = 0.0; // polynomials per unit of stored value
+    double Least = 0.0;     // extinction that can be told from rounding
   };
 
   double DataValue(double stored) const;

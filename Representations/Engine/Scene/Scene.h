@@ -38,6 +38,13 @@ public:
   using SceneError::SceneError;
 };
 
+/// Whoever watches the window has stopped the frame; there is nothing wrong with the scene.
+class AbortedError : public SceneError
+{
+public:
+  using SceneError::SceneError;
+};
+
 /// One value per struct answers "did it change?": equal stamps mean equal contents.
 using ChangeStamp = std::size_t;
 

@@ -25,7 +25,10 @@ void OpenGlTechnique::Prepare(const Scene& scene, vtkOpenGLRenderWindow* window)
 {
   const GlContextGuard guard(window);
   this->Features = this->FeaturesFor(scene);
-  this->Textures.Update(scene);
+  if (this->ReadsTextures())
+  {
+    this->Textures.Update(scene);
+  }
   this->Compile(scene);
 }
 

@@ -25,7 +25,7 @@ class OpenGlTechnique : public Technique
 public:
   void Prepare(const Scene& scene, vtkOpenGLRenderWindow* window) final;
   void Render(const Scene& scene, vtkOpenGLRenderWindow* window) final;
-  SetUpCosts GetSetUpCosts() const final;
+  SetUpCosts GetSetUpCosts() const override;
   std::vector<StageTime> GetStages() const final { return this->LastStages; }
   FeatureSet GetFeatures() const final { return this->Features; }
   void Release() final;
@@ -34,6 +34,9 @@ public:
 protected:
   /// What the kernels of this technique take of the scene's features; all unless overridden.
   virtual FeatureSet FeaturesFor(const Scene& scene) const { return FeaturesNeededBy(scene); }
+
+  /// Whether the kernels read the volume and its functions from textures; without, none are made.
+  virtual bool ReadsTextures() const { return true; }
 
   /// Asks for the programs of the frame by ProgramOf, so that drawing compiles nothing.
   virtual void Compile(const Scene& scene) = 0;
@@ -74,6 +77,9 @@ protected:
   static void BlendOff(vtkOpenGLRenderWindow* window);
 
   FrameStages& GetFrameStages() { return this->Stages; }
+
+  /// The depth of opaque geometry, of this frame if the features ask for it.
+  OpaqueDepth& GetDepth() { return this->Depth; }
 
 private:
   SceneTextures Textures;

@@ -6,8 +6,10 @@
 #include "Scene/Scene.h"
 
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 class vtkOpenGLRenderWindow;
@@ -51,6 +53,9 @@ public:
   /// Stages of the last frame whose scene asked for them; empty for a technique with one stage.
   virtual std::vector<StageTime> GetStages() const { return {}; }
 
+  /// Who is to be told the share in [0, 1] of a frame that takes long.
+  void SetProgress(std::function<void(double)> progress) { this->Progress = std::move(progress); }
+
   /// Features compiled into the kernel that drew last.
   virtual FeatureSet GetFeatures() const = 0;
 
@@ -58,6 +63,18 @@ public:
   virtual void Release() = 0;
   /// Drops all GPU objects of a context that no longer exists.
   virtual void Forget() = 0;
+
+protected:
+  void ReportProgress(double share) const
+  {
+    if (this->Progress)
+    {
+      this->Progress(share);
+    }
+  }
+
+private:
+  std::function<void(double)> Progress;
 };
 }
 

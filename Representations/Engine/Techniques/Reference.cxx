@@ -1,0 +1,150 @@
+#include "Techniques/Reference.h"
+
+#include "Scene/PackScene.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtk_glew.h"
+
+#include <chrono>
+#include <cstring>
+
+namespace volumebench
+{
+namespace
+{
+// VTK's and ParaView's still pictures ask for far less than a frame per second.
+constexpr double InteractiveRate = 1.0;
+constexpr int InteractivePixelsPerRay = 4;
+
+// The scene as this technique sees it: nothing of how others sample it.
+Scene WithoutSampling(const Scene& scene)
+{
+  Scene plain = scene;
+  plain.Sampling = {};
+  plain.Sampling.Integration = Integrator::Left;
+  plain.Sampling.SetUp = RaySetUp::Box;
+  return plain;
+}
+}
+
+FeatureSet Reference::FeaturesFor(const Scene& scene) const
+{
+  return FeaturesNeededBy(WithoutSampling(scene));
+}
+
+void Reference::Compile(const Scene& scene)
+{
+  this->Renderer.Prepare(scene);
+  this->ProgramOf({ "Viewport.vert", "Picture.frag" });
+}
+
+bool Reference::Key::operator==(const Key& other) const
+{
+  return this->VolumeStamp == other.VolumeStamp && this->FunctionStamp == other.FunctionStamp &&
+    this->Features == other.Features && this->WindowDepth == other.WindowDepth &&
+    std::memcmp(&this->Numbers, &other.Numbers, sizeof(this->Numbers)) == 0;
+}
+
+Reference::Key Reference::KeyOf(const Scene& scene)
+{
+  Key key;
+  key.Numbers = PackScene(WithoutSampling(scene));
+  key.VolumeStamp = scene.Volume.Stamp;
+  key.FunctionStamp = scene.TransferFunction.Stamp;
+  key.Features = this->GetFeatures();
+  if (Has(key.Features, Feature::OpaqueDepth))
+  {
+    key.WindowDepth = this->GetDepth().Read(scene.Camera.Viewport);
+  }
+  return key;
+}
+
+void Reference::Cast(const Scene& scene, vtkOpenGLRenderWindow* window, const Key& key)
+{
+  const bool interactive = window->GetDesiredUpdateRate() > InteractiveRate;
+  const int wanted = interactive ? InteractivePixelsPerRay : 1;
+  if (this->Texture.IsCreated() && this->PixelsPerRay <= wanted && this->Shown == key)
+  {
+    return;
+  }
+  this->PixelsPerRay = InteractivePixelsPerRay + 1; // nothing is shown if this fails
+  ReferenceOptions options;
+  options.PixelsPerRay = wanted;
+  this->Picture =
+    this->Renderer.Render(scene, options, key.WindowDepth.empty() ? nullptr : &key.WindowDepth,
+      [&](double share)
+      {
+        this->ReportProgress(share);
+        return window->CheckAbortStatus() == 0;
+      });
+  window->MakeCurrent(); // whoever was told may have drawn elsewhere
+  if (!this->Picture.Complete)
+  {
+    throw AbortedError("the picture was aborted before it was complete");
+  }
+  this->Upload();
+  this->Shown = key;
+  this->PixelsPerRay = wanted;
+}
+
+void Reference::Upload()
+{
+  const glm::ivec4& rectangle = this->Picture.Rectangle;
+  const int pixelsPerRay = (rectangle.z + this->Picture.Width - 1) / this->Picture.Width;
+  std::vector<glm::vec4> texels;
+  texels.reserve(static_cast<std::size_t>(rectangle.z) * rectangle.w);
+  for (int y = 0; y < rectangle.w; ++y)
+  {
+    const std::size_t row = static_cast<std::size_t>(y / pixelsPerRay) * this->Picture.Width;
+    for (int x = 0; x < rectangle.z; ++x)
+    {
+      texels.emplace_back(this->Picture.Pixels[row + x / pixelsPerRay]);
+    }
+  }
+  this->Texture.Bind(GL_TEXTURE_2D);
+  this->Texture.SetSampling(false);
+  glTexImage2D(
+    GL_TEXTURE_2D, 0, GL_RGBA32F, rectangle.z, rectangle.w, 0, GL_RGBA, GL_FLOAT, texels.data());
+  this->Texture.Unbind();
+}
+
+void Reference::Draw(const Scene& scene, vtkOpenGLRenderWindow* window, const glm::ivec4& rectangle)
+{
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point begin = Clock::now();
+  this->Cast(scene, window, this->KeyOf(scene));
+  this->GetFrameStages().Add(
+    "rays", std::chrono::duration<double, std::milli>(Clock::now() - begin).count());
+  const GlProgram& display = this->ProgramOf({ "Viewport.vert", "Picture.frag" });
+  TextureUnits units(window);
+  display.Bind(window);
+  display.SetUnit("pictureTexture", units.Attach(this->Texture));
+  BlendOver(window);
+  this->GetFrameStages().OnDevice("display", [&] { this->DrawTriangle(window, &rectangle); });
+}
+
+void Reference::ReleaseOwn()
+{
+  this->Texture.Release();
+}
+
+void Reference::ForgetOwn()
+{
+  this->Texture.Forget();
+}
+
+SetUpCosts Reference::GetSetUpCosts() const
+{
+  SetUpCosts costs = this->OpenGlTechnique::GetSetUpCosts();
+  costs.UploadMs = this->Renderer.GetFieldMs();
+  costs.TablesMs = this->Renderer.GetFunctionMs();
+  return costs;
+}
+
+std::size_t Reference::GetOwnBytes() const
+{
+  return this->Texture.IsCreated() ? static_cast<std::size_t>(this->Picture.Rectangle.z) *
+      this->Picture.Rectangle.w * sizeof(glm::vec4)
+                                   : 0;
+}
+}
