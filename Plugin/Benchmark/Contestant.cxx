@@ -110,6 +110,33 @@ vtkSmartPointer<vtkVolumeMapper> Contestant::MakePeer(const ContestantInput& inp
   return mapper;
 }
 
+void Contestant::SetInput(vtkImageData* image, vtkVolumeProperty* property)
+{
+  vtkVolumeMapper::SafeDownCast(this->Volume->GetMapper())->SetInputData(image);
+  this->Volume->SetProperty(CopyOf(property));
+}
+
+void Contestant::SetStepVoxels(double step)
+{
+  vtkAbstractVolumeMapper* mapper = this->Volume->GetMapper();
+  if (this->Mapper)
+  {
+    this->Mapper->SetStepVoxels(step);
+    return;
+  }
+  this->PeerStepVoxels = step;
+  auto* image = vtkImageData::SafeDownCast(mapper->GetDataSetInput());
+  const float distance = static_cast<float>(step * MeanSpacing(image));
+  if (auto* gpu = vtkGPUVolumeRayCastMapper::SafeDownCast(mapper))
+  {
+    gpu->SetSampleDistance(distance);
+  }
+  else
+  {
+    vtkFixedPointVolumeRayCastMapper::SafeDownCast(mapper)->SetSampleDistance(distance);
+  }
+}
+
 std::string Contestant::WhyUnsupported(const ContestantInput& input) const
 {
   const int mode = input.BlendMode;

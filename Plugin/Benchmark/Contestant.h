@@ -49,6 +49,13 @@ public:
   /// The step that a peer takes, in voxels of mean edge length; NaN when it has none of its own.
   double GetPeerStepVoxels() const { return this->PeerStepVoxels; }
 
+  /// Shows another image and function in the same mapper; the array's name and centring, the step
+  /// and all other settings stay.
+  void SetInput(vtkImageData* image, vtkVolumeProperty* property);
+
+  /// A peer counts voxels of the mean edge length of the present image.
+  void SetStepVoxels(double step);
+
   /// Ids of the peers.
   static const std::vector<std::string>& Peers();
 

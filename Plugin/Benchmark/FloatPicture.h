@@ -5,6 +5,7 @@
 
 #include "VolumeBenchBenchmarkModule.h"
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,21 @@ struct FloatPicture
   int Height = 0;
   std::vector<float> Pixels; // Width * Height * 4, bottom row first
 };
+
+struct Pixel
+{
+  float Red;
+  float Green;
+  float Blue;
+  float Alpha;
+};
+
+/// x counts from the left, y from the bottom.
+inline Pixel PixelAt(const FloatPicture& picture, int x, int y)
+{
+  const float* p = picture.Pixels.data() + 4 * (static_cast<std::size_t>(y) * picture.Width + x);
+  return { p[0], p[1], p[2], p[3] };
+}
 
 /// Renders the renderer's visible props with their mappers as they are set now into a float
 /// framebuffer of the renderer's size. Throws std::runtime_error when there is no OpenGL window or

@@ -36,6 +36,16 @@ const std::string& NameTable::NameOf(int number) const
     "there is no " + this->What + " " + std::to_string(number) + "; known are " + known);
 }
 
+std::vector<int> NameTable::Numbers() const
+{
+  std::vector<int> numbers;
+  for (const Row& row : this->Rows)
+  {
+    numbers.push_back(row.Number);
+  }
+  return numbers;
+}
+
 const NameTable& IntegratorNames()
 {
   static const NameTable names(

@@ -30,6 +30,7 @@ public:
   int NumberOf(const std::string& name) const;
   /// Throws std::runtime_error with the known numbers.
   const std::string& NameOf(int number) const;
+  std::vector<int> Numbers() const;
 
 private:
   std::string What;

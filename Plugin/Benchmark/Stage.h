@@ -39,6 +39,8 @@ public:
   FloatPicture Picture();
   void Resize(int width, int height);
 
+  vtkRenderer* GetRenderer() { return this->Renderer; }
+
 private:
   vtkNew<vtkRenderWindow> Window;
   vtkNew<vtkRenderer> Renderer;

@@ -117,7 +117,7 @@ TEST_P(Projections, AverageOfALinearFieldIsItsValueHalfWay)
   {
     for (int x = 2; x < 64; x += 7)
     {
-      const RayInBox ray = RayOfPixel(scene.Renderer, box, x, y, RenderScene::Size);
+      const PixelRay ray = RayOfPixel(scene.Renderer, box, x, y, RenderScene::Size);
       if (ray.Length() > 0.01)
       {
         const double middle = ray.Origin[0] + 0.5 * (ray.Begin + ray.End) * ray.Direction[0];

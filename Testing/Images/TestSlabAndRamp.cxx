@@ -137,7 +137,7 @@ TEST_P(SlabAndRamp, RampOfExtinctionIsExactForMidpoint)
     {
       for (int x = 0; x < picture.Width; ++x)
       {
-        const RayInBox ray = RayOfPixel(scene.Renderer, box, x, y, RenderScene::Size);
+        const PixelRay ray = RayOfPixel(scene.Renderer, box, x, y, RenderScene::Size);
         const double middle = ray.Origin[0] + 0.5 * (ray.Begin + ray.End) * ray.Direction[0];
         const double opacity = -std::expm1(-Slope * middle * ray.Length());
         if (ray.Length() > Grazing)

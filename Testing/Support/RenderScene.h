@@ -3,6 +3,7 @@
 #define volumebench_RenderScene_h
 
 #include "FloatPicture.h"
+#include "Stability/Views.h"
 #include "TestVolumes.h"
 #include "vtkVolumeBenchMapper.h"
 
@@ -15,25 +16,10 @@
 #include "vtkSmartPointer.h"
 #include "vtkVolume.h"
 
-#include <array>
 #include <string>
 
 namespace volumebench::test
 {
-struct Pixel
-{
-  float Red;
-  float Green;
-  float Blue;
-  float Alpha;
-};
-
-inline Pixel PixelAt(const FloatPicture& picture, int x, int y)
-{
-  const float* p = picture.Pixels.data() + 4 * (static_cast<std::size_t>(y) * picture.Width + x);
-  return { p[0], p[1], p[2], p[3] };
-}
-
 class RenderScene
 {
 public:
@@ -95,54 +81,10 @@ public:
   vtkNew<vtkVolume> Volume;
 };
 
-struct RayInBox
+/// The ray through the middle of a pixel of a square picture against an axis-aligned world box.
+inline PixelRay RayOfPixel(vtkRenderer* renderer, const double box[6], int x, int y, int size)
 {
-  double Begin = 0.0; // distance from the eye (perspective) or the eye's plane (parallel)
-  double End = 0.0;
-  std::array<double, 3> Origin{};
-  std::array<double, 3> Direction{};
-  double Length() const { return this->End > this->Begin ? this->End - this->Begin : 0.0; }
-};
-
-/// The ray through the middle of a pixel against an axis-aligned world box, from the camera's own
-/// numbers and independent of the engine's matrices.
-inline RayInBox RayOfPixel(vtkRenderer* renderer, const double box[6], int x, int y, int size)
-{
-  vtkCamera* camera = renderer->GetActiveCamera();
-  const double* position = camera->GetPosition();
-  double forward[3];
-  double up[3];
-  double right[3];
-  camera->GetDirectionOfProjection(forward);
-  camera->GetViewUp(up);
-  vtkMath::Cross(forward, up, right);
-  vtkMath::Normalize(right);
-  vtkMath::Cross(right, forward, up);
-  const double halfHeight = camera->GetParallelProjection()
-    ? camera->GetParallelScale()
-    : std::tan(vtkMath::RadiansFromDegrees(0.5 * camera->GetViewAngle()));
-  const double across = ((x + 0.5) * 2.0 / size - 1.0) * halfHeight;
-  const double upward = ((y + 0.5) * 2.0 / size - 1.0) * halfHeight;
-
-  RayInBox ray;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const double shift = across * right[axis] + upward * up[axis];
-    ray.Origin[axis] = position[axis] + (camera->GetParallelProjection() ? shift : 0.0);
-    ray.Direction[axis] = forward[axis] + (camera->GetParallelProjection() ? 0.0 : shift);
-  }
-  const double stretch = vtkMath::Norm(ray.Direction.data());
-  ray.Begin = camera->GetClippingRange()[0] * stretch;
-  ray.End = camera->GetClippingRange()[1] * stretch;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    ray.Direction[axis] /= stretch;
-    const double first = (box[2 * axis] - ray.Origin[axis]) / ray.Direction[axis];
-    const double second = (box[2 * axis + 1] - ray.Origin[axis]) / ray.Direction[axis];
-    ray.Begin = std::max(ray.Begin, std::min(first, second));
-    ray.End = std::min(ray.End, std::max(first, second));
-  }
-  return ray;
+  return ClippedToBox(RayThrough(renderer->GetActiveCamera(), x + 0.5, y + 0.5, size, size), box);
 }
 }
 

@@ -1,0 +1,45 @@
+#include "Stability/CaseTable.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace volumebench
+{
+bool StabilityCase::IsMeantFor(const Subject& subject) const
+{
+  // A technique without integrators has to be right everywhere.
+  return !subject.Peer &&
+    (subject.Integrator == NoIntegrator ||
+      std::count(this->MeantFor.begin(), this->MeantFor.end(), subject.Integrator) > 0);
+}
+
+const std::vector<StabilityCase>& StabilityCases()
+{
+  static const std::vector<StabilityCase> cases = []
+  {
+    std::vector<StabilityCase> all;
+    for (const auto& group : { SlabCases(), ConvergenceCases(), FunctionCases(), StiffCases(),
+           RayCases(), PlacementCases(), DataCases(), ShortcutCases() })
+    {
+      all.insert(all.end(), group.begin(), group.end());
+    }
+    std::sort(all.begin(), all.end(),
+      [](const StabilityCase& a, const StabilityCase& b) { return a.Number < b.Number; });
+    return all;
+  }();
+  return cases;
+}
+
+const StabilityCase& FindStabilityCase(int number)
+{
+  for (const StabilityCase& row : StabilityCases())
+  {
+    if (row.Number == number)
+    {
+      return row;
+    }
+  }
+  throw std::runtime_error("there is no stability case " + std::to_string(number) +
+    "; known are 1 to " + std::to_string(StabilityCases().back().Number));
+}
+}
