@@ -1,48 +1,16 @@
 #include "ResultTable.h"
 
 #include "StageMedians.h"
-
-#include "vtkDoubleArray.h"
-#include "vtkNew.h"
-#include "vtkStringArray.h"
-#include "vtkTable.h"
+#include "TableColumns.h"
 
 namespace volumebench
 {
 namespace
 {
-class Columns
+class Columns : public TableColumns<RunResult>
 {
 public:
-  Columns(const std::vector<RunResult>& results, vtkTable* table)
-    : Results(results)
-    , Table(table)
-  {
-  }
-
-  template <typename Get>
-  void Text(const char* name, Get get)
-  {
-    vtkNew<vtkStringArray> column;
-    column->SetName(name);
-    for (const RunResult& result : this->Results)
-    {
-      column->InsertNextValue(get(result));
-    }
-    this->Table->AddColumn(column);
-  }
-
-  template <typename Get>
-  void Number(const std::string& name, Get get)
-  {
-    vtkNew<vtkDoubleArray> column;
-    column->SetName(name.c_str());
-    for (const RunResult& result : this->Results)
-    {
-      column->InsertNextValue(get(result));
-    }
-    this->Table->AddColumn(column);
-  }
+  using TableColumns::TableColumns;
 
   void Spread(const std::string& name, const Summary RunResult::*member)
   {
@@ -52,10 +20,6 @@ public:
     this->Number(name + ".min", [=](const RunResult& r) { return (r.*member).Min; });
     this->Number(name + ".max", [=](const RunResult& r) { return (r.*member).Max; });
   }
-
-private:
-  const std::vector<RunResult>& Results;
-  vtkTable* Table;
 };
 
 void FillCosts(Columns& columns)
