@@ -47,7 +47,7 @@ SCENE_BLOCK_BEGIN
                         // the same for the component that gives the colour, where there are two
   vec4 segments;        // x, y: the same for a coordinate of the pre-integrated table
   vec4 prefix;          // x, y: scale and offset from a stored value to a cell of the table of prefix
-                        // integrals; z: its last cell
+                        // integrals; z: its last cell; w: cells below which values are close
   vec4 prefixUnits;     // extinction, x: times colour, y: alone, per unit of that table
   vec4 extremes;        // x, y: stored values at which Minimum and Maximum stop; z: 1 / their span
   vec4 gradientX;       // xyz: first row of the matrix from differences to gradients in data units

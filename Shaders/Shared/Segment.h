@@ -10,13 +10,12 @@
 // err towards one side wherever the field is curved.
 //
 // Prefix integrals are whole numbers, so that differences of neighbours lose nothing beside large
-// sums elsewhere. Between two of them the integral is linear.
+// sums elsewhere. Between two of them the integral is linear, which is not enough where the field
+// changes by less than that: there the function's own table speaks, unless that is too coarse, which
+// is marked in the last bit of a cell's first integral.
 #if WITH_SEGMENT
-// Below this many units a difference of prefix integrals has too few digits for a colour, and over
-// less than two cells for the extinction; the table of the function has them.
+// Below this many units a difference of prefix integrals has too few digits for a colour.
 #define FEWEST_UNITS REAL(131072.0)
-// Below this depth the order of colours within a step does not show.
-#define THIN_DEPTH REAL(0.01)
 #endif
 
 // The field at an end of a step, or of its half, as the integrator needs it.
@@ -32,6 +31,7 @@ STRUCT(StepEnd)
   real inCell;  // position in it; beyond 0 and 1 outside the table
   ivec4 before; // prefix integrals at the beginning of the cell: colour times tau, tau
   ivec4 after;  // and at its end
+  vec4 seen;    // colour and extinction of the value
 #endif
 };
 
@@ -44,6 +44,7 @@ FUNC StepEnd withPrefix(SCENE_PARAM StepEnd end)
   end.inCell = position - cell;
   end.before = prefixAt(SCENE end.cell);
   end.after = prefixAt(SCENE end.cell + 1);
+  end.seen = classify(SCENE end.value);
   return end;
 }
 
@@ -97,6 +98,7 @@ FUNC vec4 prefixMean(StepEnd front, StepEnd back)
     (moving * backShare + back.hold) * inBack + moving * between;
 }
 
+#if WITH_STIFF_STEPS
 // How far the colour of a step of optical depth z is seen from its front: 0 where it is thin and
 // its mean is seen, 1 where nothing behind its front is. With colour linear in optical depth the
 // weights of the two ends are alpha (1 + r) / 2 and alpha (1 - r) / 2; this is r.
@@ -111,17 +113,19 @@ FUNC real frontWeight(real depth)
   return depth < REAL(0.5) ? series : closed;
 }
 
-// One channel of the colour at the front, in a profile that is linear in optical depth, has the
-// given mean and stays among the colours `first`, `last` and `mean`.
-FUNC real frontOfProfile(real first, real last, real mean)
+// The colour at the front, in a profile that is linear in optical depth, has the given mean and
+// stays among the colours `first`, `last` and `mean`.
+FUNC vec3 frontOfProfile(vec3 first, vec3 last, vec3 mean)
 {
-  real low = min(mean, min(first, last));
-  real high = max(mean, max(first, last));
-  real front = mean - REAL(0.5) * (last - first);
-  return max(max(low, REAL(2.0) * mean - high), min(front, min(high, REAL(2.0) * mean - low)));
+  vec3 low = min(mean, min(first, last));
+  vec3 high = max(mean, max(first, last));
+  vec3 front = mean - REAL(0.5) * (last - first);
+  vec3 twice = REAL(2.0) * mean;
+  return max(max(low, twice - high), min(front, min(high, twice - low)));
 }
+#endif
 
-// Colour and mean extinction of a step whose length is given in data units.
+// Colour and mean extinction of a step, or of its half, whose length is given in data units.
 FUNC vec4 classifyBetween(SCENE_PARAM StepEnd front, StepEnd back, real stepLength)
 {
   vec4 mean = prefixMean(front, back);
@@ -129,24 +133,19 @@ FUNC vec4 classifyBetween(SCENE_PARAM StepEnd front, StepEnd back, real stepLeng
   {
     return VEC4(REAL(0.0), REAL(0.0), REAL(0.0), REAL(0.0));
   }
-  vec3 color = (scene.prefixUnits.x / (mean.w * scene.prefixUnits.y)) * xyz(mean);
-  real extinction = mean.w * scene.prefixUnits.y;
-  real depth = extinction * stepLength;
+  vec3 first = xyz(front.seen);
+  vec3 last = xyz(back.seen);
   real cells = fabs(back.value - front.value) * scene.prefix.x;
-  bool few = mean.w * max(REAL(1.0), cells) < FEWEST_UNITS;
-  if (few || depth > THIN_DEPTH)
-  {
-    vec4 first = classify(SCENE front.value);
-    vec4 last = classify(SCENE back.value);
-    if (few)
-    {
-      color = REAL(0.5) * (xyz(first) + xyz(last));
-      extinction = cells < REAL(2.0) ? REAL(0.5) * (first.w + last.w) : extinction;
-    }
-    vec3 atFront = VEC3(frontOfProfile(first.x, last.x, color.x),
-      frontOfProfile(first.y, last.y, color.y), frontOfProfile(first.z, last.z, color.z));
-    color = color + frontWeight(depth) * (atFront - color);
-  }
+  bool narrow = cells < scene.prefix.w && ((front.before.x | back.before.x) & 1) == 0;
+  bool few = narrow || mean.w * max(REAL(1.0), cells) < FEWEST_UNITS;
+  real extinction =
+    narrow ? REAL(0.5) * (front.seen.w + back.seen.w) : mean.w * scene.prefixUnits.y;
+  real toColor = scene.prefixUnits.x / (mean.w * scene.prefixUnits.y);
+  vec3 color = few ? REAL(0.5) * (first + last) : toColor * xyz(mean);
+#if WITH_STIFF_STEPS
+  color = color +
+    frontWeight(extinction * stepLength) * (frontOfProfile(first, last, color) - color);
+#endif
   return VEC4(color.x, color.y, color.z, extinction);
 }
 #endif

@@ -74,7 +74,7 @@ TransferFunction Linear(double tau, double c0, double c1)
         function.High > function.Low ? (size - 1.0) / (function.High - function.Low) : 0.0;        \
       scene.sampling = space::vec4(Real(step), 1, 0, 0);                                           \
       scene.prefix =                                                                               \
-        space::vec4(Real(perValue), Real(1.0 - function.Low * perValue), Real(size), 0);           \
+        space::vec4(Real(perValue), Real(1.0 - function.Low * perValue), Real(size), 2);           \
       scene.prefixUnits =                                                                          \
         space::vec4(Real(function.PrefixColorUnit), Real(function.PrefixExtinctionUnit), 0, 0);    \
       scene.classification = space::vec4(1, 0, 0, 0);                                              \
@@ -163,7 +163,6 @@ TYPED_TEST(Segment, StiffLadderHasItsClosedForm)
     {
       const auto result = TypeParam::Integrate(function, Ramp, 0.0, 1.0, 1.0 / steps);
       EXPECT_NEAR(result.w, opacity, 1e-5) << "tau " << k;
-      // Steps thinner than THIN_DEPTH leave out the order within them.
       EXPECT_NEAR(result.x, exact, 1e-5) << "tau " << k << ", " << steps << " steps";
       EXPECT_LE(result.x, c1 * result.w * (1.0 + 1e-6));
       EXPECT_GE(result.x, c0 * result.w * (1.0 - 1e-6));

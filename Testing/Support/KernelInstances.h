@@ -37,12 +37,14 @@
 #define KERNEL_REAL float
 #define WITH_MIDPOINT 1
 #define WITH_SEGMENT 1
+#define WITH_STIFF_STEPS 1
 #include "Scene/KernelInstance.h"
 
 #define KERNEL_NAMESPACE segment64
 #define KERNEL_REAL double
 #define WITH_MIDPOINT 1
 #define WITH_SEGMENT 1
+#define WITH_STIFF_STEPS 1
 #include "Scene/KernelInstance.h"
 
 #define KERNEL_NAMESPACE compensated32

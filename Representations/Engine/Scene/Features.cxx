@@ -1,6 +1,9 @@
 #include "Scene/Features.h"
 
 #include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+
+#include <algorithm>
 
 namespace volumebench
 {
@@ -26,6 +29,17 @@ bool HasLongRays(const Scene& s)
     !HasMode(s, BlendMode::Maximum) && !HasMode(s, BlendMode::Minimum);
 }
 
+// Whether a step of Segment may be so deep that the order of the colours within it shows.
+bool HasStiffSteps(const Scene& s)
+{
+  constexpr double ThinDepth = 0.015; // leaves out less than 2e-5 of a change of colour
+  const glm::dmat3 edges(s.Volume.VoxelToData);
+  const double edge =
+    std::max({ glm::length(edges[0]), glm::length(edges[1]), glm::length(edges[2]) });
+  return s.Sampling.Integration == Integrator::Segment && Composites(s) &&
+    s.TransferFunction.MaximumExtinction * s.Sampling.StepVoxels * edge > ThinDepth;
+}
+
 std::vector<FeatureRow> SamplingRows()
 {
   return {
@@ -34,6 +48,8 @@ std::vector<FeatureRow> SamplingRows()
     { Feature::Segment, "segment", "WITH_SEGMENT", "the integrator or the blend mode is another",
       [](const Scene& s)
       { return s.Sampling.Integration == Integrator::Segment && Composites(s); } },
+    { Feature::StiffSteps, "stiff-steps", "WITH_STIFF_STEPS",
+      "the integrator is not Segment or each of its steps is thin", HasStiffSteps },
     { Feature::PreIntegrated, "pre-integrated", "WITH_PREINTEGRATED",
       "the integrator or the blend mode is another",
       [](const Scene& s)

@@ -18,6 +18,7 @@ enum class Feature
 {
   Midpoint,
   Segment,
+  StiffSteps,
   PreIntegrated,
   Termination,
   Compensation,

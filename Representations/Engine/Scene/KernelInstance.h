@@ -50,11 +50,11 @@ using real = KERNEL_REAL;
 #undef BETWEEN_ENDS
 #undef SAMPLES_OF_STEP
 #undef FEWEST_UNITS
-#undef THIN_DEPTH
 
 // Every feature of Scene/Features.cxx; the Kernels tests notice one that is missing here.
 #undef WITH_MIDPOINT
 #undef WITH_SEGMENT
+#undef WITH_STIFF_STEPS
 #undef WITH_PREINTEGRATED
 #undef WITH_COMPENSATION
 #undef WITH_TERMINATION

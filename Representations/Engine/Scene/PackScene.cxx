@@ -183,6 +183,9 @@ glm::dvec2 TableCoordinates(double low, double high, double size)
   return { scale, 0.5 / size - low * scale };
 }
 
+// Steps that pass through fewer cells of the prefix integrals than these take the table's values.
+constexpr double CloseCells = 2.0;
+
 void PackTable(const Scene& scene, SceneBlock64& block)
 {
   const TransferFunction& function = scene.TransferFunction;
@@ -196,7 +199,7 @@ void PackTable(const Scene& scene, SceneBlock64& block)
       colorMapping.Normalize(function.ColorHigh), size) };
   // Entry 0 of the table is entry 1 of its prefix integrals.
   const double perValue = high > low ? (size - 1.0) / (high - low) : 0.0;
-  block.prefix = { perValue, 1.0 - low * perValue, size, 0.0 };
+  block.prefix = { perValue, 1.0 - low * perValue, size, CloseCells };
   block.prefixUnits = { function.PrefixColorUnit, function.PrefixExtinctionUnit, 0.0, 0.0 };
   block.segments = { TableCoordinates(low, high, std::max(1, function.SegmentSize)), 0.0, 0.0 };
 }

@@ -31,6 +31,19 @@ std::vector<glm::ivec4> Raised(const std::vector<glm::dvec4>& sums,
   return units;
 }
 
+// Whether a straight line between two entries of the table is far from what lies between them.
+bool IsCoarse(const TransferFunction& function, std::size_t entry, double mean)
+{
+  constexpr double FarOff = 0.02; // of either
+  if (entry == 0 || entry >= function.Table.size())
+  {
+    return false;
+  }
+  const double straight =
+    0.5 * (double(function.Table[entry - 1].w) + double(function.Table[entry].w));
+  return std::abs(mean - straight) > FarOff * std::max(mean, straight);
+}
+
 // Means of colour times extinction and of extinction over each entry, the first and the last of
 // which lie outside the table.
 std::vector<glm::dvec4> EntryMeans(const TransferFunction& function)
@@ -69,6 +82,10 @@ std::vector<glm::dvec4> EntryMeans(const TransferFunction& function)
 void BuildPrefixTable(TransferFunction& function)
 {
   const std::vector<glm::dvec4> means = EntryMeans(function);
+  for (const glm::dvec4& mean : means)
+  {
+    function.MaximumExtinction = std::max(function.MaximumExtinction, mean.w);
+  }
   std::vector<glm::dvec4> sums(means.size() + 1, glm::dvec4(0.0));
   for (std::size_t i = 0; i < means.size(); ++i)
   {
@@ -81,6 +98,11 @@ void BuildPrefixTable(TransferFunction& function)
   const double perColor = color > 0.0 ? LargestUnits / color : 0.0;
   const double perExtinction = total.w > 0.0 ? LargestUnits / total.w : 0.0;
   const glm::dvec4 scale(perColor, perColor, perColor, perExtinction);
-  function.Prefix = std::make_shared<const std::vector<glm::ivec4>>(Raised(sums, means, scale));
+  std::vector<glm::ivec4> prefix = Raised(sums, means, scale);
+  for (std::size_t i = 0; i < means.size(); ++i)
+  {
+    prefix[i].x = (prefix[i].x & ~1) | (IsCoarse(function, i, means[i].w) ? 1 : 0);
+  }
+  function.Prefix = std::make_shared<const std::vector<glm::ivec4>>(std::move(prefix));
 }
 }

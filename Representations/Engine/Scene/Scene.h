@@ -97,6 +97,7 @@ struct Volume
 struct TransferFunction
 {
   std::vector<glm::vec4> Table;
+  double MaximumExtinction = 0.0;
   double Low = 0.0;
   double High = 1.0;
   double ColorLow = 0.0;
@@ -112,7 +113,8 @@ struct TransferFunction
   int SegmentSize = 0;
 
   /// For Segment: integrals of colour times extinction (xyz) and of extinction (w) up to each entry
-  /// of the table, and to one more on either side, in whole units. Null unless the scene needs it.
+  /// of the table, and to one more on either side, in whole units. The last bit of x marks entries
+  /// that Table is too coarse for. Null unless the scene needs it.
   std::shared_ptr<const std::vector<glm::ivec4>> Prefix;
   double PrefixColorUnit = 0.0;      // extinction times colour per unit and entry
   double PrefixExtinctionUnit = 0.0; // extinction per unit and entry

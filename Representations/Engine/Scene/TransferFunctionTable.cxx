@@ -84,6 +84,7 @@ void Fill(
     const double extinction = ExtinctionOfOpacity(opacity[i], unitDistance);
     const double* rgb = color.data() + std::ptrdiff_t(3) * i;
     result.Table[i] = glm::vec4(rgb[0], rgb[1], rgb[2], extinction);
+    result.MaximumExtinction = std::max(result.MaximumExtinction, extinction);
   }
 }
 }
