@@ -40,23 +40,10 @@ void ForEachCell(const ReferenceScene& scene, const shared64::Ray& ray, const Vi
   }
 }
 
-// Whether no value that the cell's field takes has extinction.
-bool IsTransparent(const CellOnRay& cell, int channel)
-{
-  if (cell.Scene.Field.IsNearest())
-  {
-    const double value = cell.Scene.Field.Texel(cell.Cell, channel);
-    return cell.Scene.Function.IsTransparent(value, value);
-  }
-  const std::array<double, 8> corners = cell.Scene.Field.Corners(cell.Cell, channel);
-  const auto [low, high] = std::minmax_element(corners.begin(), corners.end());
-  return cell.Scene.Function.IsTransparent(*low, *high);
-}
-
 void AddPlainCell(const CellOnRay& cell, RaySum& sum)
 {
   const StoredFunction& function = cell.Scene.Function;
-  const FieldCubic field = cell.CubicOf(0);
+  const FieldCubic field = cell.OpacityCubic();
   ForEachKnotPiece(field, cell.Length, function.GetKnots(),
     [&](double begin, double end, std::size_t piece)
     {
@@ -147,7 +134,7 @@ ReferenceRay CastComposite(const ReferenceScene& scene, const shared64::Ray& ray
   ForEachCell(scene, ray, visible,
     [&](const CellOnRay& cell)
     {
-      if (!IsTransparent(cell, scene.Channels - 1))
+      if (!cell.IsTransparent())
       {
         plain ? AddPlainCell(cell, sum) : AddRichCell(cell, sum);
       }
@@ -165,7 +152,7 @@ ReferenceRay CastExtreme(
   ForEachCell(scene, ray, visible,
     [&](const CellOnRay& cell)
     {
-      const FieldCubic field = cell.CubicOf(scene.Channels - 1);
+      const FieldCubic field = cell.OpacityCubic();
       const MonotoneEnds ends = MonotoneEndsOf(field, cell.Length);
       for (int i = 0; i < ends.Count; ++i)
       {
@@ -190,7 +177,7 @@ ReferenceRay CastAverage(
   ForEachCell(scene, ray, visible,
     [&](const CellOnRay& cell)
     {
-      const FieldCubic field = cell.CubicOf(scene.Channels - 1);
+      const FieldCubic field = cell.OpacityCubic();
       const double l = cell.Length;
       integral += l * (field.C0 + l * (field.C1 / 2.0 + l * (field.C2 / 3.0 + l * field.C3 / 4.0)));
       length += l;

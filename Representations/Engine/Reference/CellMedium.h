@@ -26,6 +26,31 @@ public:
     const glm::dvec3 middle = texelOrigin + (0.5 * (begin + end)) * ray.direction;
     this->Cell = glm::ivec3(glm::floor(scene.Field.IsNearest() ? middle + 0.5 : middle));
     this->From = texelOrigin + begin * ray.direction - glm::dvec3(this->Cell);
+    const int opacity = scene.Channels - 1;
+    if (scene.Field.IsNearest())
+    {
+      this->OpacityCorners.fill(scene.Field.Texel(this->Cell, opacity));
+    }
+    else
+    {
+      this->OpacityCorners = scene.Field.Corners(this->Cell, opacity);
+    }
+  }
+
+  /// The field by the channel that opacity is looked up by.
+  FieldCubic OpacityCubic() const
+  {
+    return this->Scene.Field.IsNearest()
+      ? FieldCubic{ this->OpacityCorners.front() }
+      : CubicInCell(this->OpacityCorners, this->From, this->Ray.direction);
+  }
+
+  /// Whether no value that it takes has extinction.
+  bool IsTransparent() const
+  {
+    const auto [low, high] =
+      std::minmax_element(this->OpacityCorners.begin(), this->OpacityCorners.end());
+    return this->Scene.Function.IsTransparent(*low, *high);
   }
 
   /// The field by a channel, `shift` cells away.
@@ -43,6 +68,9 @@ public:
   const double Length;
   glm::ivec3 Cell;
   glm::dvec3 From; // in the cell
+
+private:
+  std::array<double, 8> OpacityCorners;
 };
 
 /// One channel that gives both, and nothing else that counts.

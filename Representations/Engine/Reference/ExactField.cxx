@@ -8,6 +8,7 @@
 
 #include <glm/common.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace volumebench
@@ -85,12 +86,13 @@ ExactField::ExactField(const Volume& volume)
     });
 }
 
-glm::ivec3 ExactField::Clamped(const glm::ivec3& texel) const
+inline glm::ivec3 ExactField::Clamped(const glm::ivec3& texel) const
 {
-  return glm::clamp(texel, glm::ivec3(0), this->Size - 1);
+  return { std::clamp(texel.x, 0, this->Size.x - 1), std::clamp(texel.y, 0, this->Size.y - 1),
+    std::clamp(texel.z, 0, this->Size.z - 1) };
 }
 
-std::size_t ExactField::IndexOf(const glm::ivec3& texel, int channel) const
+inline std::size_t ExactField::IndexOf(const glm::ivec3& texel, int channel) const
 {
   return channel * this->TexelCount + texel.x +
     this->Size.x *

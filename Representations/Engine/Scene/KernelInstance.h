@@ -1,6 +1,6 @@
 // Instantiates the shared kernel text as C++ in a namespace of its own, for one number type and one
-// set of features: for the reference renderer and for tests. It has no include guard: include it once
-// for each instance that is needed.
+// set of features: for the reference renderer and for tests. It has no include guard: include it
+// once for each instance that is needed.
 //
 //   #define KERNEL_NAMESPACE midpoint64
 //   #define KERNEL_REAL double
