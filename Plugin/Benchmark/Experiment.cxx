@@ -19,9 +19,9 @@ namespace
 {
 constexpr int FramesPerBlock = 3;   // short, so that slow runs are interleaved too
 constexpr unsigned Seed = 20260101; // fixed: the order of runs is part of the method
-constexpr int ReferenceShrink = 4;  // the reference is checked on a picture this much smaller
+constexpr int ReferenceShrink = 8;  // the reference is checked on a picture this much smaller
 constexpr int StageFrames = 5;      // drawn after the timed ones, to split a frame into stages
-constexpr const char* ReferenceTechnique = "single-pass";
+constexpr int FineSteps = 1;        // of ReferenceNames
 constexpr const char* ReferencePicture = "reference.rgba32f";
 
 class Laboratory
@@ -169,19 +169,29 @@ private:
     }
   }
 
-  // The reference is our own Midpoint at a very small step without early termination; half that
-  // step, on a smaller picture of the first view, tells how far it may still be from the truth.
+  // The reference is the cell-exact one, or our own Midpoint at a very small step. How far it may
+  // still be from the truth is told on a smaller picture of the first view: by an independent
+  // renderer that extrapolates from three step sizes, or by half the small step.
   void MeasureReference()
   {
     if (this->Settings.ErrorViews < 1 || this->Aborted)
     {
       return;
     }
-    Contestant reference(ReferenceTechnique, this->Input);
+    Contestant reference(this->HasFineSteps() ? "single-pass" : "reference", this->Input);
     this->Scene.Add(reference);
     this->Scene.Show(reference);
     this->CompareWith(*reference.GetMapper());
     this->Scene.Remove(reference);
+  }
+
+  bool HasFineSteps() const { return this->Settings.Reference == FineSteps; }
+
+  std::string ReferenceName() const
+  {
+    return this->HasFineSteps()
+      ? "single-pass Midpoint step " + JsonNumber(this->Settings.ReferenceStepVoxels)
+      : "cell-exact float64";
   }
 
   int ErrorWidth() const
@@ -237,8 +247,7 @@ private:
         run.Result.Error = CompareImages(run.Pictures, references);
         run.Result.ErrorWidth = references.front().Width;
         run.Result.ErrorHeight = references.front().Height;
-        run.Result.Reference = std::string(ReferenceTechnique) + " Midpoint step " +
-          JsonNumber(this->Settings.ReferenceStepVoxels);
+        run.Result.Reference = this->ReferenceName();
         run.Result.ReferenceUncertainty = uncertainty;
       }
       run.Pictures.clear();
@@ -250,10 +259,12 @@ private:
     this->Scene.Resize(std::max(1, this->ErrorWidth() / ReferenceShrink),
       std::max(1, this->ErrorHeight() / ReferenceShrink));
     this->PlaceFrame(this->ErrorFrame(0));
-    const FloatPicture coarse = this->Scene.Picture();
-    mapper.SetStepVoxels(0.5 * this->Settings.ReferenceStepVoxels);
-    const FloatPicture fine = this->Scene.Picture();
-    return CompareImages(coarse, fine).Rmse;
+    const FloatPicture reference = this->Scene.Picture();
+    // The finest of the three steps that the check extrapolates from is the reference step.
+    const double factor = this->HasFineSteps() ? 0.5 : 4.0;
+    mapper.SetStepVoxels(factor * this->Settings.ReferenceStepVoxels);
+    mapper.SetReferenceMethod(1);
+    return CompareImages(reference, this->Scene.Picture()).Rmse;
   }
 
   void MeasureTimes()

@@ -17,6 +17,7 @@ void CheckNames(const ExperimentSettings& settings)
   {
     IntegratorNames().NameOf(integrator);
   }
+  ReferenceNames().NameOf(settings.Reference);
   CheckTechniqueSettings(settings.Own);
   const std::vector<std::string>& measured = settings.Techniques;
   for (const Variant& variant : settings.Variants)

@@ -31,7 +31,8 @@ struct ExperimentSettings
   int ErrorWidth = 0; // of the pictures that errors are measured on; 0: the size that is timed
   int ErrorHeight = 0;
   std::string PictureFolder; // where the pictures of the first error view go; empty: nowhere
-  double ReferenceStepVoxels = 1.0 / 32.0;
+  int Reference = 0; // 0: cell-exact in double precision, 1: fine steps of technique single-pass
+  double ReferenceStepVoxels = 1.0 / 32.0; // of fine steps, and of what checks the cell-exact one
 };
 
 /// Throws std::runtime_error that names the first value out of bounds.

@@ -64,6 +64,12 @@ const NameTable& BlendModeNames()
   return names;
 }
 
+const NameTable& ReferenceNames()
+{
+  static const NameTable names("reference", { { "Cell Exact", 0 }, { "Fine Steps", 1 } });
+  return names;
+}
+
 const NameTable& SliceExtentNames()
 {
   static const NameTable names(

@@ -181,6 +181,7 @@ volumebench::ExperimentSettings vtkVolumeBenchmark::MakeSettings() const
   settings.ErrorViews = this->ErrorViews;
   settings.ErrorWidth = this->ErrorImageSize[0];
   settings.ErrorHeight = this->ErrorImageSize[1];
+  settings.Reference = this->Reference;
   settings.ReferenceStepVoxels = this->ReferenceStepVoxels;
   settings.PictureFolder = this->PictureFolder;
   volumebench::CheckSettings(settings);

@@ -160,9 +160,14 @@ public:
   ///@}
 
   ///@{
-  /** Views of the turn at which the error is measured (0: none) and the step of the reference. */
+  /**
+   * Views of the turn at which the error is measured (0: none). What it is measured against: 0: the
+   * cell-exact picture of technique reference (default), 1: single-pass with ReferenceStepVoxels.
+   */
   vtkSetMacro(ErrorViews, int);
   vtkGetMacro(ErrorViews, int);
+  vtkSetMacro(Reference, int);
+  vtkGetMacro(Reference, int);
   vtkSetMacro(ReferenceStepVoxels, double);
   vtkGetMacro(ReferenceStepVoxels, double);
   ///@}
@@ -213,6 +218,7 @@ protected:
   double TimeLimit = 10.0;
   double Seconds = 0.0;
   int ErrorViews = 1;
+  int Reference = 0;
   double ReferenceStepVoxels = 1.0 / 32.0;
   int ErrorImageSize[2] = { 0, 0 };
   std::string PictureFolder;

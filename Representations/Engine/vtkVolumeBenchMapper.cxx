@@ -209,6 +209,7 @@ void vtkVolumeBenchMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SliceThreads: " << this->SliceThreads << "\n";
   os << indent << "SliceTarget: " << this->SliceTarget << "\n";
   os << indent << "SliceOrder: " << this->SliceOrder << "\n";
+  os << indent << "ReferenceMethod: " << this->ReferenceMethod << "\n";
   os << indent << "LightingDamping: " << this->LightingDamping << "\n";
   os << indent << "CountSamples: " << this->CountSamples << "\n";
   os << indent << "TimeStages: " << this->TimeStages << "\n";

@@ -168,6 +168,15 @@ public:
 
   ///@{
   /**
+   * Technique reference: 0: CellExact (default), exact up to rounding; 1: Midpoint, an independent
+   * renderer to check it with, which extrapolates from StepVoxels, its half and its quarter.
+   */
+  vtkSetMacro(ReferenceMethod, int);
+  vtkGetMacro(ReferenceMethod, int);
+  ///@}
+
+  ///@{
+  /**
    * Fades lighting where the field is nearly constant and its gradient is mostly noise: below this
    * gradient, as a share of the data's range per voxel, diffuse and specular light weigh in
    * proportion to it. 0 (default) switches damping off.
@@ -253,6 +262,7 @@ protected:
   int SliceThreads = 0;
   int SliceTarget = 0;
   int SliceOrder = 0;
+  int ReferenceMethod = 0;
   double LightingDamping = 0.0;
   bool CountSamples = false;
   bool TimeStages = false;

@@ -93,9 +93,11 @@ TEST_P(Experiments, OneRowPerRunWithItsError)
     EXPECT_GT(result.FrameMs.Median, 0.0);
     EXPECT_GT(result.GpuMs.Median, 0.0);
     EXPECT_LE(result.GpuMs.Median, result.FrameMs.Max);
-    EXPECT_GT(result.Error.Rmse, 0.0);
+    EXPECT_EQ(result.Error.Rmse > 0.0, HasSteps(result.Technique));
+    EXPECT_EQ(result.Reference, "cell-exact float64");
+    EXPECT_GT(result.ReferenceUncertainty, 0.0) << "two renderers do not agree to the last bit";
     EXPECT_GE(result.Error.Linf, result.Error.Rmse);
-    EXPECT_LT(result.ReferenceUncertainty, 1e-4);
+    EXPECT_LT(result.ReferenceUncertainty, 1e-5);
   }
   EXPECT_EQ(results[0].Integrator, "Left");
   EXPECT_EQ(results[4].Integrator, "");
@@ -192,7 +194,7 @@ TEST_P(Experiments, ErrorsTakeASizeOfTheirOwn)
   ASSERT_EQ(results.size(), 1u);
   EXPECT_EQ(results[0].ErrorWidth, 24);
   EXPECT_EQ(results[0].ErrorHeight, 20);
-  EXPECT_GT(results[0].Error.Rmse, 0.0);
+  EXPECT_EQ(results[0].Error.Rmse > 0.0, HasSteps(GetParam()));
 }
 
 TEST_P(Experiments, AVariantIsARowOfItsOwn)
@@ -260,8 +262,25 @@ TEST(ExperimentSettings, NameWhatIsWrong)
               })
               .find("'slices', which is not measured"),
     std::string::npos);
+  EXPECT_NE(messageOf([](ExperimentSettings& s) { s.Reference = 2; }).find("reference 2"),
+    std::string::npos);
   EXPECT_NE(messageOf([](ExperimentSettings& s) { s.ErrorViews = 99; }).find("99 error views"),
     std::string::npos);
+}
+
+TEST(ExperimentReferences, FineStepsGiveTheErrorsOfTheExactOne)
+{
+  const SmallInput small;
+  ExperimentSettings settings = SmallSettings("single-pass");
+  const RunResult exact = RunExperiment(settings, small.Input, GoOn).front();
+  settings.Reference = 1;
+  settings.ReferenceStepVoxels = 1.0 / 32.0;
+  const RunResult steps = RunExperiment(settings, small.Input, GoOn).front();
+  EXPECT_EQ(exact.Reference, "cell-exact float64");
+  EXPECT_EQ(steps.Reference, "single-pass Midpoint step 0.03125");
+  EXPECT_GT(exact.Error.Rmse, 1e-4);
+  EXPECT_NEAR(steps.Error.Rmse, exact.Error.Rmse, 0.05 * exact.Error.Rmse);
+  EXPECT_GT(steps.ReferenceUncertainty, exact.ReferenceUncertainty);
 }
 
 TEST(ExperimentContestants, UnknownOnesAreNamedWithTheKnown)

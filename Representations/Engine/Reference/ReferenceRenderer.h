@@ -15,12 +15,6 @@
 
 namespace volumebench
 {
-enum class ReferenceMethod
-{
-  CellExact,
-  Midpoint // with Richardson's extrapolation
-};
-
 struct ReferenceOptions
 {
   ReferenceMethod Method = ReferenceMethod::CellExact;

@@ -173,6 +173,12 @@ struct Slicing
   bool BackToFront = false;
 };
 
+enum class ReferenceMethod
+{
+  CellExact,
+  Midpoint // StepVoxels, its half and its quarter, extrapolated (Richardson)
+};
+
 struct Sampling
 {
   Integrator Integration = Integrator::Midpoint;
@@ -182,6 +188,7 @@ struct Sampling
   double TerminationThreshold = 0.0; // remaining transmittance at which a ray stops
   glm::ivec2 WorkGroup{ 0 };         // pixels of a compute work group; 0: to be found by measuring
   Slicing Slices;
+  ReferenceMethod Method = ReferenceMethod::CellExact; // of technique reference
 };
 
 enum class BlendMode

@@ -76,6 +76,8 @@ Sampling BuildSampling(vtkVolumeBenchMapper* mapper)
   sampling.TableSize = mapper->GetTableSize();
   sampling.WorkGroup = WorkGroupOf(mapper->GetWorkGroupShape());
   sampling.Slices = BuildSlicing(mapper);
+  sampling.Method =
+    static_cast<ReferenceMethod>(Checked(mapper->GetReferenceMethod(), 1, "reference method"));
   if (!(sampling.StepVoxels >= SmallestStepVoxels) || !std::isfinite(sampling.StepVoxels))
   {
     throw SceneError("the step is " + std::to_string(sampling.StepVoxels) +

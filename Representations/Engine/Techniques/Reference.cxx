@@ -41,7 +41,8 @@ void Reference::Compile(const Scene& scene)
 bool Reference::Key::operator==(const Key& other) const
 {
   return this->VolumeStamp == other.VolumeStamp && this->FunctionStamp == other.FunctionStamp &&
-    this->Features == other.Features && this->WindowDepth == other.WindowDepth &&
+    this->Features == other.Features && this->Method == other.Method &&
+    this->StepVoxels == other.StepVoxels && this->WindowDepth == other.WindowDepth &&
     std::memcmp(&this->Numbers, &other.Numbers, sizeof(this->Numbers)) == 0;
 }
 
@@ -52,6 +53,8 @@ Reference::Key Reference::KeyOf(const Scene& scene)
   key.VolumeStamp = scene.Volume.Stamp;
   key.FunctionStamp = scene.TransferFunction.Stamp;
   key.Features = this->GetFeatures();
+  key.Method = scene.Sampling.Method;
+  key.StepVoxels = key.Method == ReferenceMethod::Midpoint ? scene.Sampling.StepVoxels : 0.0;
   if (Has(key.Features, Feature::OpaqueDepth))
   {
     key.WindowDepth = this->GetDepth().Read(scene.Camera.Viewport);
@@ -69,6 +72,8 @@ void Reference::Cast(const Scene& scene, vtkOpenGLRenderWindow* window, const Ke
   }
   this->PixelsPerRay = InteractivePixelsPerRay + 1; // nothing is shown if this fails
   ReferenceOptions options;
+  options.Method = key.Method;
+  options.StepVoxels = key.StepVoxels;
   options.PixelsPerRay = wanted;
   this->Picture =
     this->Renderer.Render(scene, options, key.WindowDepth.empty() ? nullptr : &key.WindowDepth,

@@ -39,6 +39,8 @@ private:
     ChangeStamp VolumeStamp = 0;
     ChangeStamp FunctionStamp = 0;
     FeatureSet Features;
+    ReferenceMethod Method = ReferenceMethod::CellExact;
+    double StepVoxels = 0.0; // of the method Midpoint
     std::vector<float> WindowDepth; // empty without opaque geometry
 
     bool operator==(const Key& other) const;
