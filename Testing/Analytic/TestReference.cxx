@@ -189,21 +189,6 @@ TEST(Reference, ValuesOfAnySizeGiveOnePicture)
   EXPECT_LE(RootMeanSquare(render(1e9, 1.0, VTK_DOUBLE), expected), 1e-7);
 }
 
-TEST(Reference, TwoIndependentReferencesAgree)
-{
-  Scene scene = MakeEngineScene(MakeImage(12, 10, 8, Bumpy),
-    PropertyOfPoints({ { 0.0, 0.0 }, { 1.0, 0.05 }, { 2.0, 0.4 }, { 3.0, 0.1 }, { 4.0, 0.3 } }));
-  LookObliquely(scene, 24);
-  const ReferencePicture exact = ReferenceRenderer().Render(scene);
-  const ReferencePicture midpoint =
-    ReferenceRenderer().Render(scene, { ReferenceMethod::Midpoint });
-  EXPECT_GT(MeanAlpha(exact), 0.2);
-  EXPECT_LE(RootMeanSquare(exact, midpoint), 1e-6);
-  EXPECT_LE(exact.LargestBound, 1e-8);
-  EXPECT_NEAR(midpoint.Order, 2.0, 0.5);
-  EXPECT_LE(midpoint.LargestBound, 1e-3);
-}
-
 TEST(Reference, AbortedPicturesSayThatTheyAreIncomplete)
 {
   Scene scene = MakeEngineScene(MakeImage(12, 10, 8, Bumpy), BumpyProperty());

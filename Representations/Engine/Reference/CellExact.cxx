@@ -14,6 +14,8 @@ namespace
 {
 // A ray's tolerance is spread over about as many pieces as it has.
 constexpr double PiecesPerRay = 256.0;
+// What has kinks is held to its whole difference between two rules, so it gets more of it.
+constexpr double KinkAllowance = 10.0;
 
 // Voxels; parts of a ray that are shorter are rounding, and no telling in which cell they lie.
 constexpr double ShortestPart = 1.0e-12;
@@ -127,10 +129,10 @@ void AddRichCell(const CellOnRay& cell, RaySum& sum)
 ReferenceRay CastComposite(const ReferenceScene& scene, const shared64::Ray& ray,
   const VisibleParts& visible, double tolerance)
 {
-  const bool plain = scene.Channels == 1 && !scene.HasLighting && !scene.HasGradientOpacity &&
-    scene.Mode == BlendMode::Composite;
   RaySum sum;
-  sum.Tolerance = tolerance / PiecesPerRay;
+  sum.Smooth = !scene.HasLighting && !scene.HasGradientOpacity && scene.Mode != BlendMode::Gradient;
+  sum.Tolerance = (sum.Smooth ? 1.0 : KinkAllowance) * tolerance / PiecesPerRay;
+  const bool plain = sum.Smooth && scene.Channels == 1;
   ForEachCell(scene, ray, visible,
     [&](const CellOnRay& cell)
     {

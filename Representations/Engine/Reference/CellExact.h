@@ -18,7 +18,8 @@ struct ReferenceRay
   bool Stopped = false;     // since nothing behind could be seen
 };
 
-/// `tolerance` is the error that the quadrature of a ray may be estimated to have.
+/// `tolerance` is the error that the quadrature of a ray may be estimated to have; ten times that
+/// where colour or extinction depend on the gradient.
 ReferenceRay CastCellExact(const ReferenceScene& scene, const shared64::Ray& ray,
   const VisibleParts& visible, double tolerance);
 

@@ -16,6 +16,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace volumebench
 {
@@ -45,6 +46,7 @@ struct RaySum
   double Bound = 0.0;         // sum of the estimated errors of all pieces
   double Evaluations = 0.0;   // of the medium
   double Tolerance = 4.0e-12; // of a piece
+  bool Smooth = true;         // no piece has a kink or jump within
 
   /// Nothing behind can change the sum in double precision.
   bool IsOpaque() const { return this->Passing < 1.0e-17; }
@@ -69,6 +71,7 @@ struct NodeRule
   std::array<double, Count> Nodes;
   std::array<double, Count> Weights;
   std::array<std::array<double, Count>, Count> UpToNode; // [node][polynomial]
+  std::array<double, Count> AtEnd;                       // the polynomials at 1
 
   NodeRule(const std::array<double, Count>& nodes, const std::array<double, Count>& weights)
     : Nodes(nodes)
@@ -77,6 +80,7 @@ struct NodeRule
     for (std::size_t i = 0; i < Count; ++i)
     {
       const std::array<double, Count> powers = this->LagrangePowers(i);
+      this->AtEnd[i] = std::accumulate(powers.begin(), powers.end(), 0.0);
       for (std::size_t node = 0; node < Count; ++node)
       {
         double integral = 0.0;
@@ -168,7 +172,7 @@ double ColorSpread(const std::array<glm::dvec4, Count>& at)
 }
 
 /// Error of a piece by a rule from its differences to a lesser one: the share that they differ by
-/// is raised by what the better rule gains in order, through `gain`.
+/// is raised by what the better rule gains in order, through `gain`; at a kink it gains none.
 template <typename Gain>
 double PieceError(const PieceSum& better, double depthDifference, double colorDifference,
   double spread, const Gain& gain)
@@ -177,6 +181,27 @@ double PieceError(const PieceSum& better, double depthDifference, double colorDi
   { return whole > 0.0 ? whole * std::min(1.0, gain(difference / whole)) : 0.0; };
   return (1.0 - better.Opacity) * share(depthDifference, better.Depth) +
     share(colorDifference, better.Opacity) + spread * better.Mismatch;
+}
+
+/// What a kink between the outermost nodes and the ends may hide from both rules: the depth of the
+/// triangle between what the nodes let expect at the ends and what is there.
+template <typename Medium>
+double HiddenError(
+  const Medium& medium, double begin, double end, const std::array<glm::dvec4, 7>& at)
+{
+  glm::dvec4 atBegin(0.0);
+  glm::dvec4 atEnd(0.0);
+  const auto emitted = [](const glm::dvec4& node)
+  { return glm::dvec4(node.w * glm::dvec3(node), node.w); };
+  for (std::size_t i = 0; i < at.size(); ++i)
+  {
+    atBegin += KronrodRule.AtEnd[i] * emitted(at[at.size() - 1 - i]);
+    atEnd += KronrodRule.AtEnd[i] * emitted(at[i]);
+  }
+  const glm::dvec4 apart =
+    glm::abs(emitted(medium(begin)) - atBegin) + glm::abs(emitted(medium(end)) - atEnd);
+  const double gap = 0.5 * (end - begin) * (1.0 - KronrodRule.Nodes.back());
+  return 0.5 * gap * std::max({ apart.x, apart.y, apart.z, apart.w });
 }
 
 inline void AddPiece(const PieceSum& piece, double error, RaySum& sum)
@@ -203,7 +228,7 @@ void IntegratePiece(const Medium& medium, double begin, double end, RaySum& sum,
   const double roughError = PieceError(rough, std::abs(rough.Depth - 2.0 * half * few[1].w),
     LargestOf(rough.Color - rough.Opacity * glm::dvec3(few[1])), ColorSpread(few),
     [](double share) { return 100.0 * share * share; });
-  if (rough.Depth > 0.0 && sum.Passing * roughError <= sum.Tolerance)
+  if (sum.Smooth && rough.Depth > 0.0 && sum.Passing * roughError <= sum.Tolerance)
   {
     AddPiece(rough, roughError, sum);
     return;
@@ -211,9 +236,18 @@ void IntegratePiece(const Medium& medium, double begin, double end, RaySum& sum,
   const std::array<glm::dvec4, 7> all{ at(0), few[0], at(2), few[1], at(4), few[2], at(6) };
   const PieceSum fine = KronrodRule.Integrate(all, half);
   sum.Evaluations += 4.0;
-  const double fineError =
-    PieceError(fine, std::abs(fine.Depth - rough.Depth), LargestOf(fine.Color - rough.Color),
-      ColorSpread(all), [](double share) { return 200.0 * share * std::sqrt(200.0 * share); });
+  double fineError = PieceError(fine, std::abs(fine.Depth - rough.Depth),
+    LargestOf(fine.Color - rough.Color), ColorSpread(all),
+    [&sum](double share) { return sum.Smooth ? 200.0 * share * std::sqrt(200.0 * share) : share; });
+  if (!sum.Smooth)
+  {
+    // A factor that is zero at all nodes may rise between them.
+    constexpr int LeastHalvings = 3;
+    const bool unseen = !(fine.Depth > 0.0) && halvings < LeastHalvings;
+    fineError +=
+      unseen ? std::numeric_limits<double>::infinity() : HiddenError(medium, begin, end, all);
+    sum.Evaluations += 2.0;
+  }
   const bool divisible = halvings < MostHalvings && begin < middle && middle < end;
   if (sum.Passing * fineError <= sum.Tolerance || !divisible)
   {
