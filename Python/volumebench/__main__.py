@@ -7,11 +7,17 @@ from pathlib import Path
 
 from .datasets import with_stand_ins
 from .errors import BenchError
+from .json_file import make_writable_folder
 from .plot import write_plots
 from .progress import Progress
 from .report import write_report
 from .results import FAILED, Record
 from .runner import Runner, find_inputs, prepare_folder
+from .stability import FAIL, outcome_of, summary_lines, write_outcome
+from .stability_plot import write_stability_plot
+from .stability_report import FILE as REPORT_FILE
+from .stability_report import write_stability_report
+from .stability_study import is_stability_study, load_stability_study
 from .study import Study
 from .study_file import find_study, load_study
 from .summary import unfinished
@@ -50,18 +56,28 @@ def study_of(options: argparse.Namespace) -> Study:
     """Return the study after the cuts of the command line, on the volumes that are here."""
     study = load_study(find_study(options.study))
     if options.techniques is not None:
-        names = [name.strip() for name in options.techniques.split(",")]
-        study = study.only([name for name in names if name])
+        study = study.only(_names(options.techniques))
     if options.data is not None and not options.data.is_dir():
         raise BenchError(f"--data {options.data}: no such folder")
     return with_stand_ins(study.quick() if options.quick else study, options.data)
 
 
+def _names(text: str) -> list[str]:
+    return [name.strip() for name in text.split(",") if name.strip()]
+
+
+def folder_of(options: argparse.Namespace, name: str) -> Path:
+    """Return where the results of a study go."""
+    suffix = "-quick" if options.quick else ""
+    return options.out or Path("Results") / f"{name}{suffix}"
+
+
 def run(options: argparse.Namespace) -> int:
     """Measure the study and write everything; return the exit code."""
+    if is_stability_study(find_study(options.study)):
+        return try_stability(options)
     study = study_of(options)
-    suffix = "-quick" if options.quick else ""
-    folder = options.out or Path("Results") / f"{study.name}{suffix}"
+    folder = folder_of(options, study.name)
     earlier = prepare_folder(study, folder, options.resume)
     inputs = find_inputs(study, options.data, folder / "volumes")
     runner = Runner(study, inputs, folder, earlier)
@@ -73,6 +89,35 @@ def run(options: argparse.Namespace) -> int:
         records = runner.measure(session, Progress(len(runner.missing)))
     write_views(study, folder, runner, records)
     return 1 if all(record.status == FAILED for record in records) else 0
+
+
+def try_stability(options: argparse.Namespace) -> int:
+    """Try the cases of a stability study and write what they show; return the exit code."""
+    if options.data is not None or options.resume:
+        raise BenchError(
+            "command line: --data and --resume do not apply to a stability study"
+        )
+    study = load_stability_study(find_study(options.study))
+    if options.techniques is not None:
+        study = study.only(_names(options.techniques))
+    study = study.quick() if options.quick else study
+    folder = folder_of(options, study.name)
+    make_writable_folder(folder)
+    from .session import Session, find_plugin
+
+    session = Session(None, find_plugin(options.plugin))
+    progress = Progress(1)
+    rows = session.run_stability(
+        study, lambda share: progress.show("stability cases", share)
+    )
+    progress.close()
+    outcome = outcome_of(rows)
+    write_outcome(folder, session.context(), outcome)
+    write_stability_plot(folder, outcome)
+    write_stability_report(folder, study, session.context(), outcome)
+    print("\n".join(summary_lines(outcome)))
+    print(f"{len(rows)} rows; {folder / REPORT_FILE}")
+    return 1 if all(row.status == FAIL for row in outcome.rows) else 0
 
 
 def write_views(

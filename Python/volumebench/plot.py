@@ -78,12 +78,13 @@ def write_plots(folder: Path, records: list[Record]) -> None:
         rows = [row for row in in_scene(records, scene) if row.status == OK]
         with plt.rc_context(_STYLE):
             if any(row.error.rmse for row in rows):
-                _save(_error_figure(rows), target / error_plot_file(scene))
+                save_figure(_error_figure(rows), target / error_plot_file(scene))
             if rows:
-                _save(_fps_figure(rows), target / fps_plot_file(scene))
+                save_figure(_fps_figure(rows), target / fps_plot_file(scene))
 
 
-def _save(figure: Any, path: Path) -> None:
+def save_figure(figure: Any, path: Path) -> None:
+    """Write a figure as PNG and close it."""
     try:
         path.parent.mkdir(exist_ok=True)
         figure.savefig(path, bbox_inches="tight", facecolor="white")

@@ -8,9 +8,10 @@ from pathlib import Path
 from .gallery import FOLDER as PICTURE_FOLDER
 from .gallery import Gallery, read_galleries
 from .json_file import write_atomically
+from .page import head, page
 from .plot import FOLDER as PLOT_FOLDER
 from .plot import PATH_TITLES, error_plot_file, fps_plot_file
-from .report_style import HOW_TO_READ, STYLE
+from .report_style import HOW_TO_READ
 from .results import Context, Record
 from .study import COMPOSITE, Scene, Study
 from .notes import SLOW_FACTOR, all_notes
@@ -64,7 +65,7 @@ def write_report(
     ]
     body = "\n".join(
         [
-            _head(study, context),
+            head(study.name, study.description, context),
             _summary(records),
             f'<section class="read"><h2>How to read this</h2>{HOW_TO_READ}</section>',
             *scenes,
@@ -73,32 +74,8 @@ def write_report(
             _settings(study, context),
         ]
     )
-    title = escape(f"VolumeBench: {study.name}")
-    write_atomically(
-        folder / "report.html",
-        '<!doctype html>\n<html lang="en"><head><meta charset="utf-8">'
-        '<meta name="viewport" content="width=device-width, initial-scale=1">'
-        f"<title>{title}</title><style>{STYLE}</style></head>\n<body>{body}</body></html>\n",
-    )
-
-
-def _head(study: Study, context: Context) -> str:
-    machine = " &middot; ".join(
-        escape(str(part))
-        for part in (
-            context.gl_renderer,
-            context.cpu,
-            f"{context.cores} cores" if context.cores else None,
-            f"ParaView {context.paraview}" if context.paraview else None,
-            context.date,
-        )
-        if part
-    )
-    return (
-        f'<header><p class="kicker">VolumeBench</p><h1>{escape(study.name)}</h1>'
-        f"<p>{escape(study.description)}</p>"
-        f'<p class="machine">{machine}</p></header>'
-    )
+    title = f"VolumeBench: {study.name}"
+    write_atomically(folder / "report.html", page(title, body))
 
 
 def _summary(records: list[Record]) -> str:

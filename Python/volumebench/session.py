@@ -2,6 +2,7 @@
 
 import os
 import platform
+from collections.abc import Callable
 from datetime import datetime, timezone
 from pathlib import Path
 from typing import Any
@@ -13,7 +14,9 @@ from .datasets import VolumeFile
 from .errors import BenchError
 from .results import Context, Record
 from .session_engine import run_engine
+from .session_stability import run_stability
 from .session_view import ViewStage
+from .stability_study import StabilityStudy
 from .study import Run, Study
 from .transfer_functions import TransferFunction
 from .view_measure import Contestant, Pictures, measure_view
@@ -44,9 +47,9 @@ def find_plugin(given: str | None) -> Path:
 
 
 class Session:
-    """Loads the plugin and measures runs for the runner."""
+    """Loads the plugin and measures runs for the runner, or tries stability cases."""
 
-    def __init__(self, study: Study, plugin: Path) -> None:
+    def __init__(self, study: Study | None, plugin: Path) -> None:
         self._study = study
         try:
             simple.LoadPlugin(str(plugin), remote=False)
@@ -87,6 +90,12 @@ class Session:
     ) -> tuple[list[Record], Pictures]:
         """Measure the runs of one scene through the benchmark filter."""
         return run_engine(self._study, volume, function, runs, self._labels, report)
+
+    def run_stability(
+        self, study: StabilityStudy, report: Callable[[float], None]
+    ) -> list[dict[str, Any]]:
+        """Try the cases of a stability study; `report` is told the share done."""
+        return run_stability(study, report)
 
     def run_view(
         self,

@@ -12,7 +12,7 @@ from paraview import servermanager, simple
 
 from .errors import BenchError
 from .results import FAILED, UNSUPPORTED, Record, record_of, values_of_row
-from .session_support import ErrorLog, producer_of
+from .session_support import ErrorLog, producer_of, rows_of
 from .study import Run, Study
 from .technique_settings import variant_text
 from .techniques import ENGINE, TECHNIQUES
@@ -88,7 +88,7 @@ def _execute(
         )
         with ErrorLog() as log:
             bench.UpdatePipeline()
-        rows = _rows(inner.GetOutputDataObject(0))
+        rows = rows_of(inner.GetOutputDataObject(0))
         return rows, log.text() or "the filter returned no row for this run"
     finally:
         del bench
@@ -148,22 +148,6 @@ def _set_zoom(bench: Any, zoom: float) -> None:
 
 def _different(values: Any) -> list[Any]:
     return [value for value in dict.fromkeys(values) if value is not None]
-
-
-def _rows(table: Any) -> list[dict[str, Any]]:
-    names = [table.GetColumnName(index) for index in range(table.GetNumberOfColumns())]
-    return [
-        {name: _plain(table.GetValueByName(row, name)) for name in names}
-        for row in range(table.GetNumberOfRows())
-    ]
-
-
-def _plain(variant: Any) -> Any:
-    if variant.IsString():
-        return variant.ToString()
-    if variant.IsFloat() or variant.IsDouble():
-        return variant.ToDouble()
-    return variant.ToInt64() if variant.IsValid() else None
 
 
 def _record(

@@ -17,6 +17,23 @@ def producer_of(volume: OpenVolume) -> Any:
     return producer
 
 
+def rows_of(table: Any) -> list[dict[str, Any]]:
+    """Return the rows of a vtkTable, each as an object from column name to value."""
+    names = [table.GetColumnName(index) for index in range(table.GetNumberOfColumns())]
+    return [
+        {name: _plain(table.GetValueByName(row, name)) for name in names}
+        for row in range(table.GetNumberOfRows())
+    ]
+
+
+def _plain(variant: Any) -> Any:
+    if variant.IsString():
+        return variant.ToString()
+    if variant.IsFloat() or variant.IsDouble():
+        return variant.ToDouble()
+    return variant.ToInt64() if variant.IsValid() else None
+
+
 class ErrorLog:
     """Collects VTK's error messages while it is open."""
 

@@ -5,6 +5,7 @@ from pathlib import Path
 
 import pytest
 from volumebench.errors import StudyError
+from volumebench.stability_study import is_stability_study
 from volumebench.study_file import STUDY_FOLDER, find_study, load_study
 from volumebench.techniques import techniques_of_plugin
 
@@ -343,7 +344,8 @@ def test_find_study_by_name_and_its_error():
 
 def test_every_study_of_the_package_is_valid():
     for path in STUDY_FOLDER.glob("*.json"):
-        assert load_study(path).runs()
+        if not is_stability_study(path):
+            assert load_study(path).runs()
         assert json.loads(path.read_text())["description"]
 
 
