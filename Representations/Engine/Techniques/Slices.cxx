@@ -86,7 +86,7 @@ void Slices::Compile(const Scene&)
 {
   this->ProgramOf({ "Viewport.vert", "SlabRays.frag" });
   this->ProgramOf({ "Slices.vert", "Slices.frag" });
-  this->ProgramOf({ "Viewport.vert", "Picture.frag" });
+  this->ProgramOf({ "Viewport.vert", "SlicesBatch.frag" });
   this->ProgramOf({ "Viewport.vert", "SlicesDisplay.frag" });
 }
 
@@ -205,10 +205,10 @@ void Slices::DrawPolygons(const Scene& scene, vtkOpenGLRenderWindow* window)
 // Slabs blended together are blended with others as if they were one.
 void Slices::MergeBatch(const Scene& scene, vtkOpenGLRenderWindow* window)
 {
-  const GlProgram& program = this->ProgramOf({ "Viewport.vert", "Picture.frag" });
+  const GlProgram& program = this->ProgramOf({ "Viewport.vert", "SlicesBatch.frag" });
   TextureUnits units(window);
   this->BindWithScene(program, window, units);
-  program.SetUnit("pictureTexture", units.Attach(this->Batch.GetTexture()));
+  program.SetUnit("batchTexture", units.Attach(this->Batch.GetTexture()));
   this->SetBlending(scene, window);
   this->DrawTriangle(window, nullptr);
   window->GetState()->vtkglBlendEquationSeparate(GL_FUNC_ADD, GL_FUNC_ADD);
