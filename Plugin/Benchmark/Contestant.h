@@ -56,6 +56,9 @@ public:
   /// A peer counts voxels of the mean edge length of the present image.
   void SetStepVoxels(double step);
 
+  /// Whether a technique takes steps, and so has an integrator: all but the exact reference do.
+  static bool TakesSteps(const std::string& id) { return id != "reference"; }
+
   /// Ids of the peers.
   static const std::vector<std::string>& Peers();
 

@@ -2,6 +2,7 @@
 #ifndef volumebench_EveryTechnique_h
 #define volumebench_EveryTechnique_h
 
+#include "Contestant.h"
 #include "RenderScene.h"
 #include "Techniques/TechniqueTable.h"
 
@@ -27,7 +28,7 @@ inline bool IsSliced(const std::string& technique)
 /// Whether step and integrator matter to the technique: to all but the exact one.
 inline bool HasSteps(const std::string& technique)
 {
-  return technique != "reference";
+  return Contestant::TakesSteps(technique);
 }
 
 /// Whether a ray may stop at the termination threshold.

@@ -69,12 +69,14 @@ TEST(StabilitySubjects, AreAllTechniquesIntegratorsAndPeersByDefault)
 TEST(StabilitySubjects, AreWhatIsAskedFor)
 {
   StabilitySettings settings;
-  settings.Techniques = { "slices", "vtk-gpu" };
+  settings.Techniques = { "slices", "reference", "vtk-gpu" };
   settings.Integrators = { integrators::Left, integrators::Midpoint };
   const std::vector<Subject> subjects = SubjectsOf(settings);
-  ASSERT_EQ(subjects.size(), 3u);
+  ASSERT_EQ(subjects.size(), 4u);
   EXPECT_EQ(subjects[1].Integrator, integrators::Midpoint);
   EXPECT_EQ(subjects[2].Integrator, NoIntegrator);
+  EXPECT_FALSE(subjects[2].Peer);
+  EXPECT_TRUE(subjects[3].Peer);
 }
 
 TEST(StabilitySubjects, UnknownNamesAreTold)

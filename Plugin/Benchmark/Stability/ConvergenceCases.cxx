@@ -171,7 +171,7 @@ std::vector<StabilityCase> ConvergenceCases()
 {
   using namespace integrators;
   return {
-    { 4, "Smooth field", "order 2 over 3 halvings of the step, order 1 for Left and VTK; 0.15",
+    { 4, "Smooth field", "order 2 over 3 halvings of the step, Segment no less, Left and VTK 1; 0.15",
       OrderTolerance, All(), MeasureSmoothField },
     { 5, "Diagonal of one cell", "A = 0.3515 with order 2; the reference 1e-7", OrderTolerance,
       { Midpoint }, MeasureSingleCell },

@@ -74,6 +74,11 @@ std::vector<Subject> SubjectsOf(const StabilitySettings& settings)
     {
       throw std::runtime_error("there is no technique '" + id + "'; known are " + TechniqueIds());
     }
+    if (!Contestant::TakesSteps(id))
+    {
+      subjects.push_back({ id, NoIntegrator, false });
+      continue;
+    }
     for (const int integrator : IntegratorsOf(settings))
     {
       IntegratorNames().NameOf(integrator);

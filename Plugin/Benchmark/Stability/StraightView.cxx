@@ -1,5 +1,6 @@
 #include "Stability/StraightView.h"
 
+#include "Stability/Case.h"
 #include "Stability/Phantoms.h"
 #include "Stability/Views.h"
 
@@ -48,7 +49,8 @@ void NoteOrder(Trial& trial, const std::vector<double>& errors, double order, do
     return;
   }
   const double observed = ObservedOrder(errors);
-  trial.Tally.Note(std::abs(observed - order), tolerance,
+  const double missing = order - observed;
+  trial.Tally.Note(trial.Is(integrators::Segment) && missing < 0.0 ? 0.0 : std::abs(missing), tolerance,
     "order " + ErrorText(observed) + " where " + ErrorText(order) + " is due");
   trial.Tally.Remark("Errors at halved steps: " + ErrorText(errors.front()) + " to " +
     ErrorText(errors.back()) + ".");

@@ -27,7 +27,8 @@ double ColumnX(const Shot& shot, double x);
 void NotePlain(Trial& trial, const Shot& shot, const glm::dvec4& expected, double limit,
   const std::string& what);
 
-/// Notes how far the observed order of convergence is from the expected one. Errors that are within
+/// Notes how far the observed order of convergence is from the expected one; for Segment, which may
+/// be better on smooth fields, how far it is below. Errors that are within
 /// the rounding of a float picture from the first on have no order: then the last is noted instead.
 void NoteOrder(Trial& trial, const std::vector<double>& errors, double order, double tolerance);
 
