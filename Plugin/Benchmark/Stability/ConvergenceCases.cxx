@@ -171,8 +171,9 @@ std::vector<StabilityCase> ConvergenceCases()
 {
   using namespace integrators;
   return {
-    { 4, "Smooth field", "order 2 over 3 halvings of the step, Segment no less, Left and VTK 1; 0.15",
-      OrderTolerance, All(), MeasureSmoothField },
+    { 4, "Smooth field",
+      "order 2 over 3 halvings of the step, Segment no less, Left and VTK 1; 0.15", OrderTolerance,
+      All(), MeasureSmoothField },
     { 5, "Diagonal of one cell", "A = 0.3515 with order 2; the reference 1e-7", OrderTolerance,
       { Midpoint }, MeasureSingleCell },
     { 6, "Linear field on two grids", "the same picture from 8 and 64 points; 1e-5", 1e-5, All(),

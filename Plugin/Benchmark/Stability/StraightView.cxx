@@ -50,8 +50,8 @@ void NoteOrder(Trial& trial, const std::vector<double>& errors, double order, do
   }
   const double observed = ObservedOrder(errors);
   const double missing = order - observed;
-  trial.Tally.Note(trial.Is(integrators::Segment) && missing < 0.0 ? 0.0 : std::abs(missing), tolerance,
-    "order " + ErrorText(observed) + " where " + ErrorText(order) + " is due");
+  trial.Tally.Note(trial.Is(integrators::Segment) && missing < 0.0 ? 0.0 : std::abs(missing),
+    tolerance, "order " + ErrorText(observed) + " where " + ErrorText(order) + " is due");
   trial.Tally.Remark("Errors at halved steps: " + ErrorText(errors.front()) + " to " +
     ErrorText(errors.back()) + ".");
 }
