@@ -1,10 +1,10 @@
 #include "ImageError.h"
 
+#include "Footprint.h"
 #include "Statistics.h"
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 namespace volumebench
 {
@@ -13,24 +13,12 @@ namespace
 void AppendDifferences(
   const FloatPicture& picture, const FloatPicture& reference, std::vector<double>& differences)
 {
-  if (picture.Width != reference.Width || picture.Height != reference.Height)
+  const Footprint footprint = UnionFootprint(picture, reference);
+  for (std::size_t i = 0; i < picture.Pixels.size(); ++i)
   {
-    throw std::invalid_argument("a picture of " + std::to_string(picture.Width) + " x " +
-      std::to_string(picture.Height) + " cannot be compared with one of " +
-      std::to_string(reference.Width) + " x " + std::to_string(reference.Height));
-  }
-  const std::vector<float>& a = picture.Pixels;
-  const std::vector<float>& b = reference.Pixels;
-  for (std::size_t pixel = 0; pixel < a.size(); pixel += 4)
-  {
-    // Written so that a NaN alpha counts as part of the footprint.
-    if (a[pixel + 3] <= 0.0f && b[pixel + 3] <= 0.0f)
+    if (footprint.Covered[i / 4])
     {
-      continue;
-    }
-    for (std::size_t i = pixel; i < pixel + 4; ++i)
-    {
-      differences.push_back(std::abs(static_cast<double>(a[i]) - b[i]));
+      differences.push_back(static_cast<double>(picture.Pixels[i]) - reference.Pixels[i]);
     }
   }
 }
@@ -43,15 +31,20 @@ ImageError Measure(std::vector<double>& differences)
     return error;
   }
   double squares = 0.0;
-  for (const double difference : differences)
+  double sum = 0.0;
+  for (double& difference : differences)
   {
+    sum += difference;
     squares += difference * difference;
+    difference = std::abs(difference);
   }
-  error.Rmse = std::sqrt(squares / static_cast<double>(differences.size()));
+  const auto count = static_cast<double>(differences.size());
+  error.Rmse = std::sqrt(squares / count);
   if (std::isnan(error.Rmse))
   {
-    return ImageError{ error.Rmse, error.Rmse, error.Rmse, error.Rmse };
+    return {};
   }
+  error.Mean = sum / count;
   std::sort(differences.begin(), differences.end());
   error.Linf = differences.back();
   error.P999 = Quantile(differences, 0.999);
@@ -70,11 +63,7 @@ ImageError CompareImages(const FloatPicture& picture, const FloatPicture& refere
 ImageError CompareImages(
   const std::vector<FloatPicture>& pictures, const std::vector<FloatPicture>& references)
 {
-  if (pictures.size() != references.size())
-  {
-    throw std::invalid_argument(std::to_string(pictures.size()) + " pictures for " +
-      std::to_string(references.size()) + " references");
-  }
+  CheckPairs(pictures, references);
   std::vector<double> differences;
   for (std::size_t i = 0; i < pictures.size(); ++i)
   {

@@ -16,6 +16,7 @@ struct ImageError
   double Linf = std::numeric_limits<double>::quiet_NaN();
   double P999 = std::numeric_limits<double>::quiet_NaN(); // 99.9th percentile of |difference|
   double Psnr = std::numeric_limits<double>::quiet_NaN(); // dB, peak 1; infinite when equal
+  double Mean = std::numeric_limits<double>::quiet_NaN(); // of picture - reference, with its sign
 };
 
 /// Over the union footprint: the pixels where either picture has alpha above 0, all four channels.

@@ -26,6 +26,15 @@ TEST(ImageError, ByHandOverTheUnionFootprint)
   EXPECT_DOUBLE_EQ(error.Linf, 0.5);
   EXPECT_DOUBLE_EQ(error.Psnr, -20.0 * std::log10(0.25));
   EXPECT_DOUBLE_EQ(error.P999, 0.5);
+  EXPECT_DOUBLE_EQ(error.Mean, (0.5 + 0.5) / 8.0);
+}
+
+TEST(ImageError, TheMeanKeepsItsSign)
+{
+  const FloatPicture dark = Picture({ 0.25f, 0, 0, 0.5f });
+  const FloatPicture bright = Picture({ 0.5f, 0, 0, 0.75f });
+  EXPECT_DOUBLE_EQ(CompareImages(dark, bright).Mean, -0.125);
+  EXPECT_DOUBLE_EQ(CompareImages(bright, dark).Mean, 0.125);
 }
 
 TEST(ImageError, EqualPicturesHaveNone)
