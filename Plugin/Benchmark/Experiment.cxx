@@ -245,6 +245,7 @@ private:
       if (run.Result.Status == "ok" && run.Pictures.size() == references.size())
       {
         run.Result.Error = CompareImages(run.Pictures, references);
+        run.Result.Perceived = ComparePerceived(run.Pictures, references);
         run.Result.ErrorWidth = references.front().Width;
         run.Result.ErrorHeight = references.front().Height;
         run.Result.Reference = this->ReferenceName();

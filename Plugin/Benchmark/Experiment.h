@@ -11,6 +11,7 @@
 
 #include "ExperimentSettings.h"
 #include "ImageError.h"
+#include "PerceivedError.h"
 #include "SampleCount.h"
 #include "Statistics.h"
 #include "Techniques/Technique.h"
@@ -51,6 +52,7 @@ struct RunResult
   std::vector<StageTime> Stages; // empty: one stage
   SampleCount Samples;           // of the first error view
   ImageError Error;
+  PerceivedError Perceived;
   int ErrorWidth = 0; // 0: no error was measured
   int ErrorHeight = 0;
   std::string Picture; // file in the picture folder

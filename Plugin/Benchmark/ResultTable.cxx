@@ -44,12 +44,23 @@ double PixelsOrNan(int pixels)
   return pixels > 0 ? pixels : std::numeric_limits<double>::quiet_NaN();
 }
 
-void FillErrors(Columns& columns)
+void FillMeasures(Columns& columns)
 {
   columns.Number("error.rmse", [](const RunResult& r) { return r.Error.Rmse; });
   columns.Number("error.linf", [](const RunResult& r) { return r.Error.Linf; });
   columns.Number("error.p999", [](const RunResult& r) { return r.Error.P999; });
   columns.Number("error.psnr", [](const RunResult& r) { return r.Error.Psnr; });
+  columns.Number("error.mean", [](const RunResult& r) { return r.Error.Mean; });
+  columns.Number("error.ssim", [](const RunResult& r) { return r.Perceived.Ssim; });
+  columns.Number("error.delta_e_over_1_percent",
+    [](const RunResult& r) { return r.Perceived.DeltaEOver1Percent; });
+  columns.Number("error.flip_mean", [](const RunResult& r) { return r.Perceived.FlipMean; });
+  columns.Number("error.flip_p99", [](const RunResult& r) { return r.Perceived.FlipP99; });
+}
+
+void FillErrors(Columns& columns)
+{
+  FillMeasures(columns);
   columns.Text("error.reference", [](const RunResult& r) { return r.Reference; });
   columns.Number(
     "error.reference_uncertainty", [](const RunResult& r) { return r.ReferenceUncertainty; });
@@ -58,6 +69,12 @@ void FillErrors(Columns& columns)
   columns.Number(
     "error.image_size.h", [](const RunResult& r) { return PixelsOrNan(r.ErrorHeight); });
 }
+}
+
+void FillErrorTable(const std::vector<RunResult>& results, vtkTable* table)
+{
+  Columns columns(results, table);
+  FillMeasures(columns);
 }
 
 void FillResultTable(const std::vector<RunResult>& results, const ExperimentSettings& settings,

@@ -12,6 +12,10 @@ namespace volumebench
 {
 VOLUMEBENCHBENCHMARK_EXPORT void FillResultTable(const std::vector<RunResult>& results,
   const ExperimentSettings& settings, const std::string& view, vtkTable* table);
+
+/// Only the columns of the error, without what it was measured against.
+VOLUMEBENCHBENCHMARK_EXPORT void FillErrorTable(
+  const std::vector<RunResult>& results, vtkTable* table);
 }
 
 #endif

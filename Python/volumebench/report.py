@@ -94,7 +94,16 @@ def _summary(records: list[Record]) -> str:
 def _line_table(shown: list[Line], with_scene: bool) -> str:
     titles = ["Path", "Technique", "Sampling"]
     figures = ["ms (quartiles)", "GPU ms", "FPS", "Msamples", "Msamples/s"]
-    figures += ["RMSE", "99.9 %", "Speed-up"]
+    figures += [
+        "RMSE",
+        "99.9 %",
+        "mean error",
+        "SSIM",
+        "&Delta;E &gt; 1",
+        "FLIP",
+        "FLIP 99 %",
+    ]
+    figures += ["Speed-up"]
     head = "".join(f"<th>{title}</th>" for title in titles)
     head += "".join(f'<th class="n">{title}</th>' for title in figures)
     rows = []
@@ -146,6 +155,11 @@ def _cells(line: Line) -> str:
         number(million_samples_per_second(record), ".0f"),
         number(record.error.rmse, ".2e"),
         number(record.error.p999, ".2e"),
+        number(record.error.mean, "+.1e"),
+        number(record.error.ssim, ".4f"),
+        number(record.error.delta_e_over_1_percent, ".1f", " %"),
+        number(record.error.flip_mean, ".4f"),
+        number(record.error.flip_p99, ".4f"),
         factor,
     ]
     text = "".join(f"<td>{cell}</td>" for cell in texts)

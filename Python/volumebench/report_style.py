@@ -37,7 +37,10 @@ HOW_TO_READ = """
 its picture to a reference with very short steps: RMSE, and the difference that 99.9 % of all
 values stay below, on linear premultiplied float RGBA between 0 and 1, over the pixels that either
 picture covers. 1e-3 is about a quarter of one grey level of an 8-bit screen; the dotted line marks
-what rounding to 8 bits alone costs. The <b>time</b> is the median of whole frames.</p>
+what rounding to 8 bits alone costs. The <b>mean error</b> keeps its sign: picture less reference.
+<b>SSIM</b> (1: alike), the share of pixels with <b>&Delta;E</b> (CIEDE2000) above 1, and
+<b>FLIP</b> (0: alike; mean and 99 % of the covered pixels, at 67 pixels per degree) say how far
+the pictures look apart: they are of 8-bit pictures over black. The <b>time</b> is the median of whole frames.</p>
 <p>In the error plots, lower and further left is better. A curve joins the steps of one technique,
 from coarse to fine; the star is what ParaView or VTK draws by default, where no such choice is
 offered. Read off the time at the height of the star to compare at equal error. Errors inside the

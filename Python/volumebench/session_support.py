@@ -11,8 +11,13 @@ from .volume_io import OpenVolume
 
 def producer_of(volume: OpenVolume) -> Any:
     """Return a pipeline source that gives the volume in memory, without a copy."""
+    return producer_of_image(volume.image)
+
+
+def producer_of_image(image: Any) -> Any:
+    """Return a pipeline source that gives this data object, without a copy."""
     producer = simple.TrivialProducer()
-    producer.GetClientSideObject().SetOutput(volume.image)
+    producer.GetClientSideObject().SetOutput(image)
     producer.UpdatePipeline()
     return producer
 

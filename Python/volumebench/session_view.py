@@ -7,8 +7,10 @@ from typing import Any
 import numpy as np
 from paraview import servermanager, simple
 
+from .error import ImageError
 from .errors import BenchError
 from .orbit import Bounds, CameraPose
+from .session_error import Pair, compare_pictures
 from .session_support import ErrorLog, producer_of
 from .study import COMPOSITE, Scene, Study
 from .technique_settings import TECHNIQUE_SETTINGS
@@ -107,6 +109,10 @@ class ViewStage:
                 f"{CAPTURE_PROXY} wrote {values.size} values, not {width} x {height} x 4"
             )
         return values.reshape(height, width, 4)[::-1].copy()
+
+    def compare(self, pairs: list[Pair]) -> ImageError:
+        """Return the error over all pairs of (picture, reference), pooled."""
+        return compare_pictures(pairs)
 
     def resize(self, size: tuple[int, int]) -> None:
         """Render pictures of this size from now on."""

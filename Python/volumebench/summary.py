@@ -208,6 +208,6 @@ def describe(record: Record) -> str:
     return f"{title}{sampling}, {record.run().scene.title()}, path {record.path}"
 
 
-def number(value: float | None, pattern: str) -> str:
-    """Format a number; an absent one is a dash."""
-    return "-" if value is None else format(value, pattern)
+def number(value: float | None, pattern: str, unit: str = "") -> str:
+    """Format a number with its unit; an absent one is a dash."""
+    return "-" if value is None else format(value, pattern) + unit

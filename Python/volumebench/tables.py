@@ -38,7 +38,7 @@ class Table:
 def technique_table(records: list[Record], scene: Scene) -> Table:
     """Return speed, samples and error of each technique in a scene."""
     header = ("path", "technique", "sampling", "ms", "GPU ms", "FPS")
-    header += ("Msamples", "Msamples/s", "RMSE", "speed-up")
+    header += ("Msamples", "Msamples/s", "RMSE", "FLIP", "dE>1", "speed-up")
     rows = in_scene(records, scene)
     title = "; ".join([scene.title(), *scene_remarks(rows)])
     return Table(title, header, tuple(_technique_row(line) for line in lines(rows)), 3)
@@ -58,6 +58,8 @@ def _technique_row(line: Line) -> tuple[str, ...]:
         number(million_samples(record), ".2f"),
         number(million_samples_per_second(record), ".0f"),
         number(record.error.rmse, ".2e"),
+        number(record.error.flip_mean, ".4f"),
+        number(record.error.delta_e_over_1_percent, ".1f", " %"),
         factor if line.matched or not factor else factor + " *",
     )
 

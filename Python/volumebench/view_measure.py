@@ -5,12 +5,12 @@ Only the stage (session_view.ViewStage) knows ParaView; this module decides what
 
 import time
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Protocol
 
 import numpy as np
 
-from .error import ImageError, compare
+from .error import ImageError
 from .errors import BenchError
 from .measure import StopRule, shuffled
 from .orbit import Bounds, CameraPose, block_frames, error_frame, orbit_pose
@@ -54,6 +54,9 @@ class Stage(Protocol):
         ...
 
     def capture(self) -> np.ndarray:
+        ...
+
+    def compare(self, pairs: list[tuple[np.ndarray, np.ndarray]]) -> ImageError:
         ...
 
     def can_capture(self) -> bool:
@@ -232,7 +235,7 @@ def _render_references(
         fine = _reference(stage, study, 0, step / 2)
     finally:
         stage.resize(size)
-    pictures.uncertainty = compare([(coarse, fine)]).rmse
+    pictures.uncertainty = stage.compare([(coarse, fine)]).rmse
     pictures.references = [
         _reference(stage, study, view, step) for view in range(views)
     ]
@@ -269,4 +272,8 @@ def _take_error(
         if pictures.references:
             pairs.append((picture, pictures.references[view]))
     if pairs:
-        contestant.error = compare(pairs, pictures.label, pictures.uncertainty)
+        contestant.error = replace(
+            stage.compare(pairs),
+            reference=pictures.label,
+            reference_uncertainty=pictures.uncertainty,
+        )

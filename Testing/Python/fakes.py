@@ -3,6 +3,7 @@
 from dataclasses import dataclass, replace
 
 import numpy as np
+from volumebench.error import ImageError
 from volumebench.errors import BenchError
 from volumebench.results import Context, record_of
 from volumebench.statistics import spread
@@ -53,6 +54,17 @@ class FakeStage:
         return (
             0.02 * step**2 if self.sampling.integrator == "Midpoint" else 0.02 * step
         )
+
+    def compare(self, pairs) -> ImageError:
+        """RMSE inside the disc alone, and the size."""
+        inside = [truth[..., 3] > 0 for _, truth in pairs]
+        squares = [
+            np.mean((picture[disc] - truth[disc]) ** 2)
+            for (picture, truth), disc in zip(pairs, inside)
+        ]
+        height, width, _ = pairs[0][0].shape
+        rmse = float(np.sqrt(np.mean(squares)))
+        return ImageError(rmse=rmse, image_size=(width, height))
 
     def can_capture(self) -> bool:
         return self.captures

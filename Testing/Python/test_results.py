@@ -65,8 +65,9 @@ def test_keys_of_the_contract_in_order(tmp_path, records):
     assert list(row["gpu_ms"]) == list(row["frame_ms"])
     assert list(row["setup_ms"]) == ["upload", "tables", "grid", "compile"]
     assert list(row["error"]) == [
-        *("rmse", "linf", "p999", "psnr", "reference", "reference_uncertainty"),
-        "image_size",
+        *("rmse", "linf", "p999", "psnr", "mean"),
+        *("ssim", "delta_e_over_1_percent", "flip_mean", "flip_p99"),
+        *("reference", "reference_uncertainty", "image_size"),
     ]
     assert row["image_size"] == [40, 30] and row["dims"] == [8, 8, 16]
 
