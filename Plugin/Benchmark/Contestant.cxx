@@ -10,16 +10,12 @@
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
-#include <limits>
 #include <stdexcept>
 
 namespace volumebench
 {
 namespace
 {
-// What ParaView's own representation asks of VTK for a still picture.
-constexpr double ParaViewStepVoxels = 0.5;
-
 // Each contestant has a property of its own: reading the gradient opacity, as DeepCopy and VTK's
 // fixed-point mapper do, creates one, and VTK's GPU mapper then samples six more times per step.
 vtkSmartPointer<vtkVolumeProperty> CopyOf(vtkVolumeProperty* source)
@@ -52,7 +48,6 @@ const std::vector<std::string>& Contestant::Peers()
 
 Contestant::Contestant(const std::string& id, const ContestantInput& input)
   : Id(id)
-  , PeerStepVoxels(std::numeric_limits<double>::quiet_NaN())
 {
   vtkSmartPointer<vtkVolumeMapper> mapper;
   if (FindTechnique(id))
@@ -93,21 +88,22 @@ Contestant::Contestant(const std::string& id, const ContestantInput& input)
 vtkSmartPointer<vtkVolumeMapper> Contestant::MakePeer(const ContestantInput& input)
 {
   this->Unsupported = this->WhyUnsupported(input);
-  const double sampleDistance = ParaViewStepVoxels * MeanSpacing(input.Image);
-  this->PeerStepVoxels = ParaViewStepVoxels;
   if (this->Id == "vtk-gpu")
   {
     auto mapper = vtkSmartPointer<vtkGPUVolumeRayCastMapper>::New();
     mapper->SetAutoAdjustSampleDistances(0);
     mapper->SetUseJittering(0);
-    mapper->SetSampleDistance(static_cast<float>(sampleDistance));
     return mapper;
   }
   auto mapper = vtkSmartPointer<vtkFixedPointVolumeRayCastMapper>::New();
   mapper->SetAutoAdjustSampleDistances(0);
   mapper->SetImageSampleDistance(1.0f);
-  mapper->SetSampleDistance(static_cast<float>(sampleDistance));
   return mapper;
+}
+
+bool Contestant::IsGpuPeer() const
+{
+  return vtkGPUVolumeRayCastMapper::SafeDownCast(this->Volume->GetMapper()) != nullptr;
 }
 
 void Contestant::SetInput(vtkImageData* image, vtkVolumeProperty* property)
@@ -124,7 +120,6 @@ void Contestant::SetStepVoxels(double step)
     this->Mapper->SetStepVoxels(step);
     return;
   }
-  this->PeerStepVoxels = step;
   auto* image = vtkImageData::SafeDownCast(mapper->GetDataSetInput());
   const float distance = static_cast<float>(step * MeanSpacing(image));
   if (auto* gpu = vtkGPUVolumeRayCastMapper::SafeDownCast(mapper))

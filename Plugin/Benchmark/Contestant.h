@@ -46,8 +46,8 @@ public:
   /// Why a peer cannot draw this input; empty when it can.
   const std::string& GetUnsupported() const { return this->Unsupported; }
 
-  /// The step that a peer takes, in voxels of mean edge length; NaN when it has none of its own.
-  double GetPeerStepVoxels() const { return this->PeerStepVoxels; }
+  /// Whether it is VTK's GPU mapper, whose samples can be counted.
+  bool IsGpuPeer() const;
 
   /// Shows another image and function in the same mapper; the array's name and centring, the step
   /// and all other settings stay.
@@ -70,7 +70,6 @@ private:
   vtkNew<vtkVolume> Volume;
   vtkSmartPointer<vtkVolumeBenchMapper> Mapper;
   std::string Unsupported;
-  double PeerStepVoxels;
 };
 }
 

@@ -4,8 +4,10 @@
 #include "JsonText.h"
 #include "Names.h"
 #include "Run.h"
+#include "RunPlan.h"
 #include "Stage.h"
 #include "StageMedians.h"
+#include "VtkSampleCounter.h"
 #include "vtkVolumeBenchMapper.h"
 
 #include "vtkImageData.h"
@@ -54,7 +56,7 @@ public:
     this->MeasureTimes();
     for (Run& run : this->Runs)
     {
-      if (this->Continue() && run.Result.Status == "ok" && run.Who->GetMapper())
+      if (this->Continue() && run.Result.Status == "ok")
       {
         run.Apply(this->Scene, this->Settings);
         this->MeasureStages(run);
@@ -77,49 +79,25 @@ public:
 private:
   void AddRuns(Contestant& who)
   {
-    if (!who.GetMapper())
+    const std::string& id = who.GetId();
+    const auto planned =
+      who.GetMapper() ? PlanRuns(this->Settings, id) : PlanPeerRuns(this->Settings, id);
+    for (const PlannedRun& run : planned)
     {
-      this->AddRun(who, -1, who.GetPeerStepVoxels(), {});
-      return;
-    }
-    for (const int integrator : this->Settings.Integrators)
-    {
-      for (const double step : this->Settings.StepsVoxels)
-      {
-        for (const auto& values : this->VariantsOf(who.GetId()))
-        {
-          this->AddRun(who, integrator, step, values);
-        }
-      }
+      this->AddRun(who, run);
     }
   }
 
-  std::vector<std::vector<SettingValue>> VariantsOf(const std::string& technique) const
+  void AddRun(Contestant& who, const PlannedRun& planned)
   {
-    std::vector<std::vector<SettingValue>> variants;
-    for (const Variant& variant : this->Settings.Variants)
-    {
-      if (variant.Technique == technique)
-      {
-        variants.push_back(variant.Values);
-      }
-    }
-    if (variants.empty())
-    {
-      variants.emplace_back();
-    }
-    return variants;
-  }
-
-  void AddRun(Contestant& who, int integrator, double step, const std::vector<SettingValue>& values)
-  {
-    Run run{ &who, integrator, WithValues(this->Settings.Own, values), {},
+    const int integrator = planned.Integrator;
+    Run run{ &who, integrator, WithValues(this->Settings.Own, planned.Values), {},
       StopRule(this->Settings.Stop), {}, {} };
     run.Result.Technique = who.GetId();
     run.Result.Integrator = integrator < 0 ? "" : IntegratorNames().NameOf(integrator);
     run.Result.BlendMode = BlendModeNames().NameOf(this->Input.BlendMode);
-    run.Result.Settings = values;
-    run.Result.StepVoxels = step;
+    run.Result.Settings = planned.Values;
+    run.Result.StepVoxels = planned.StepVoxels;
     if (!who.GetUnsupported().empty())
     {
       run.Result.Status = "unsupported";
@@ -341,6 +319,10 @@ private:
   // as many as the time limit of a run allows.
   void MeasureStages(Run& run)
   {
+    if (!run.Who->GetMapper())
+    {
+      return; // a peer does not tell its stages
+    }
     vtkVolumeBenchMapper& mapper = *run.Who->GetMapper();
     mapper.TimeStagesOn();
     const int turn = this->Settings.Orbit.FramesPerTurn;
@@ -366,15 +348,13 @@ private:
 
   void CountSamples(Run& run)
   {
-    vtkVolumeBenchMapper& mapper = *run.Who->GetMapper();
-    mapper.CountSamplesOn();
-    this->PlaceFrame(this->ErrorFrame(0));
-    const FloatPicture picture = this->Scene.Picture();
-    if (mapper.GetFailure().empty())
+    std::vector<SampleCount> counts;
+    for (int view = 0; view < std::max(1, this->Settings.ErrorViews); ++view)
     {
-      run.Result.Samples = SumSampleCounts(picture);
+      this->PlaceFrame(this->ErrorFrame(view));
+      counts.push_back(run.CountSamples(this->Scene));
     }
-    mapper.CountSamplesOff();
+    run.Result.Samples = MeanSampleCount(counts);
   }
 
   ExperimentSettings Settings;

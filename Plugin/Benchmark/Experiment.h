@@ -50,7 +50,7 @@ struct RunResult
   double CompileMs = std::numeric_limits<double>::quiet_NaN();
   double BytesOnDevice = std::numeric_limits<double>::quiet_NaN();
   std::vector<StageTime> Stages; // empty: one stage
-  SampleCount Samples;           // of the first error view
+  SampleCount Samples;           // of a frame, mean over the error views
   ImageError Error;
   PerceivedError Perceived;
   int ErrorWidth = 0; // 0: no error was measured

@@ -62,6 +62,9 @@ void CheckSettings(const ExperimentSettings& settings)
   CheckNames(settings);
   refuse(settings.Orbit.FramesPerTurn < 1,
     "the orbit has " + std::to_string(settings.Orbit.FramesPerTurn) + " frames");
+  refuse(
+    settings.Orbit.Path == CameraPath::ThreeViews && settings.Orbit.FramesPerTurn != FixedViews,
+    "the path three-views has 3 frames, not " + std::to_string(settings.Orbit.FramesPerTurn));
   refuse(!(settings.Orbit.Zoom > 0.0), "the zoom is " + std::to_string(settings.Orbit.Zoom));
   refuse(settings.ErrorViews < 0 || settings.ErrorViews > settings.Orbit.FramesPerTurn,
     std::to_string(settings.ErrorViews) + " error views do not fit an orbit of " +

@@ -18,7 +18,6 @@ struct ExperimentSettings
   std::vector<std::string> Techniques;
   std::vector<int> Integrators; // vtkVolumeBenchMapper's numbers
   std::vector<double> StepsVoxels;
-  double TerminationThreshold = 0.001;
   int RaySetUp = 1;
   TechniqueSettings Own;         // of each technique that no variant is given for
   std::vector<Variant> Variants; // such a technique is measured once for each

@@ -1,5 +1,6 @@
 #include "Names.h"
 
+#include "Orbit.h"
 #include "vtkVolumeBenchMapper.h"
 
 #include <stdexcept>
@@ -67,6 +68,14 @@ const NameTable& BlendModeNames()
 const NameTable& ReferenceNames()
 {
   static const NameTable names("reference", { { "Cell Exact", 0 }, { "Fine Steps", 1 } });
+  return names;
+}
+
+const NameTable& CameraPathNames()
+{
+  static const NameTable names("camera path",
+    { { "orbit-y", static_cast<int>(CameraPath::OrbitY) },
+      { "three-views", static_cast<int>(CameraPath::ThreeViews) } });
   return names;
 }
 

@@ -39,6 +39,7 @@ private:
 
 VOLUMEBENCHBENCHMARK_EXPORT const NameTable& IntegratorNames();
 VOLUMEBENCHBENCHMARK_EXPORT const NameTable& BlendModeNames();
+VOLUMEBENCHBENCHMARK_EXPORT const NameTable& CameraPathNames(); // numbers of CameraPath
 VOLUMEBENCHBENCHMARK_EXPORT const NameTable& ReferenceNames();
 VOLUMEBENCHBENCHMARK_EXPORT const NameTable& SliceExtentNames();
 VOLUMEBENCHBENCHMARK_EXPORT const NameTable& SliceTargetNames();

@@ -5,12 +5,35 @@
 
 namespace volumebench
 {
+namespace
+{
+constexpr double Pi = 3.14159265358979323846;
+
+struct Direction
+{
+  double AzimuthDegrees;
+  double ElevationDegrees;
+};
+
+constexpr Direction FixedDirections[FixedViews] = { { 90.0, 0.0 }, { 0.0, 0.0 }, { 40.0, 25.0 } };
+
+Direction DirectionOf(int frame, const OrbitSettings& settings)
+{
+  if (settings.Path == CameraPath::ThreeViews)
+  {
+    return FixedDirections[frame % FixedViews];
+  }
+  const int turn = settings.FramesPerTurn;
+  return { 360.0 * (frame % turn) / turn, settings.ElevationDegrees };
+}
+}
+
 CameraPose OrbitPose(int frame, const OrbitSettings& settings, const double bounds[6])
 {
-  constexpr double Pi = 3.14159265358979323846;
   constexpr double ViewAngleDegrees = 30.0;
-  const double azimuth = 2.0 * Pi * (frame % settings.FramesPerTurn) / settings.FramesPerTurn;
-  const double elevation = settings.ElevationDegrees * Pi / 180.0;
+  const Direction direction = DirectionOf(frame, settings);
+  const double azimuth = direction.AzimuthDegrees * Pi / 180.0;
+  const double elevation = direction.ElevationDegrees * Pi / 180.0;
 
   CameraPose pose = {};
   double squares = 0.0;

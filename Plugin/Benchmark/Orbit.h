@@ -17,16 +17,27 @@ struct CameraPose
   double ViewAngleDegrees;
 };
 
+enum class CameraPath
+{
+  OrbitY,
+  ThreeViews
+};
+
+constexpr int FixedViews = 3; // frames of path "three-views"
+
 struct OrbitSettings
 {
   int FramesPerTurn = 36;
   double ElevationDegrees = 20.0;
   double Zoom = 1.0; // divides the distance
+  CameraPath Path = CameraPath::OrbitY;
 };
 
 /// Path "orbit-y": once round the y axis through the middle of `bounds` (x, y and z ranges) in
 /// FramesPerTurn equal steps from azimuth 0 (looking along -z), raised by the elevation, at the
 /// distance from which the bounding sphere just fits a view angle of 30 degrees.
+/// Path "three-views": looking along -x, along -z and obliquely (azimuth 40 degrees, elevation 25
+/// degrees), at the same distance; the frame counts modulo 3.
 VOLUMEBENCHBENCHMARK_EXPORT CameraPose OrbitPose(
   int frame, const OrbitSettings& settings, const double bounds[6]);
 

@@ -3,6 +3,7 @@
 #include "Contestant.h"
 #include "Stage.h"
 #include "Techniques/Technique.h"
+#include "VtkSampleCounter.h"
 #include "vtkVolumeBenchMapper.h"
 
 namespace volumebench
@@ -13,11 +14,10 @@ void Run::Apply(Stage& stage, const ExperimentSettings& settings) const
   if (vtkVolumeBenchMapper* mapper = this->Who->GetMapper())
   {
     mapper->SetIntegrator(this->Integrator);
-    mapper->SetStepVoxels(this->Result.StepVoxels);
-    mapper->SetTerminationThreshold(settings.TerminationThreshold);
     mapper->SetRaySetUp(settings.RaySetUp);
     ApplySettings(this->Own, *mapper);
   }
+  this->Who->SetStepVoxels(this->Result.StepVoxels);
 }
 
 bool Run::HasFailed()
@@ -44,6 +44,23 @@ void Run::Describe()
     this->Result.CompileMs = costs.CompileMs;
     this->Result.BytesOnDevice = static_cast<double>(costs.BytesOnDevice);
   }
+}
+
+SampleCount Run::CountSamples(Stage& stage) const
+{
+  if (vtkVolumeBenchMapper* mapper = this->Who->GetMapper())
+  {
+    mapper->CountSamplesOn();
+    const FloatPicture picture = stage.Picture();
+    mapper->CountSamplesOff();
+    return mapper->GetFailure().empty() ? SumSampleCounts(picture) : SampleCount();
+  }
+  if (this->Who->IsGpuPeer())
+  {
+    const VtkSampleCounter counter(this->Who->GetVolume());
+    return VtkSampleCounter::CountOf(stage.Picture());
+  }
+  return {};
 }
 
 void Run::Summarise()

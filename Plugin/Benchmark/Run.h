@@ -35,6 +35,9 @@ struct Run
   /// Takes over what the mapper tells of its last frame.
   void Describe();
 
+  /// The samples of one more frame; NaN for a contestant that cannot count them.
+  SampleCount CountSamples(Stage& stage) const;
+
   /// Turns the timed frames into the figures of the result.
   void Summarise();
 };

@@ -35,4 +35,17 @@ SampleCount SumSampleCounts(const FloatPicture& picture)
   }
   return sum.Taken + sum.Skipped > 0.0 ? sum : SampleCount();
 }
+
+SampleCount MeanSampleCount(const std::vector<SampleCount>& views)
+{
+  SampleCount mean{ 0.0, 0.0, 0.0 };
+  const auto count = static_cast<double>(views.size());
+  for (const SampleCount& view : views)
+  {
+    mean.Taken += view.Taken / count;
+    mean.Skipped += view.Skipped / count;
+    mean.RaysTerminated += view.RaysTerminated / count;
+  }
+  return mean;
+}
 }

@@ -5,6 +5,7 @@
 #include "VolumeBenchBenchmarkModule.h"
 
 #include <limits>
+#include <vector>
 
 namespace volumebench
 {
@@ -20,6 +21,9 @@ struct SampleCount
 /// Sums red (samples taken), green (samples skipped) and blue (whether the ray was terminated). A
 /// picture that holds anything but counts was drawn by a technique that does not count: all NaN.
 VOLUMEBENCHBENCHMARK_EXPORT SampleCount SumSampleCounts(const FloatPicture& picture);
+
+/// The mean over views; NaN where any of them is.
+VOLUMEBENCHBENCHMARK_EXPORT SampleCount MeanSampleCount(const std::vector<SampleCount>& views);
 }
 
 #endif

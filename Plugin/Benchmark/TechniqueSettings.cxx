@@ -2,16 +2,16 @@
 
 #include "JsonText.h"
 #include "Names.h"
+#include "Scene/Scene.h"
 #include "vtkVolumeBenchMapper.h"
 
+#include <cmath>
 #include <stdexcept>
 
 namespace volumebench
 {
 namespace
 {
-constexpr const char* ThreadsName = "slice_threads";
-
 std::string Trimmed(const std::string& text)
 {
   const std::size_t first = text.find_first_not_of(" \t");
@@ -31,33 +31,82 @@ std::vector<std::string> Parts(const std::string& text)
   return parts;
 }
 
-void SetValue(TechniqueSettings& settings, const SettingValue& value)
+using Setter = void (*)(TechniqueSettings&, const std::string&);
+
+double NumberOf(const std::string& name, const std::string& text)
 {
-  if (value.Name == "work_group_shape")
+  std::size_t used = 0;
+  double number = 0.0;
+  try
   {
-    settings.WorkGroupShape = value.Text;
+    number = std::stod(text, &used);
   }
-  else if (value.Name == "slice_extent")
+  catch (const std::logic_error&)
   {
-    settings.SliceExtent = SliceExtentNames().NumberOf(value.Text);
+    used = 0;
   }
-  else if (value.Name == ThreadsName)
+  if (used == 0 || used != text.size() || !std::isfinite(number))
   {
-    settings.SliceThreads = SliceThreadsNames().NumberOf(value.Text);
+    throw std::runtime_error("the setting " + name + " is '" + text + "', which is no number");
   }
-  else if (value.Name == "slice_target")
+  return number;
+}
+
+int CountOf(const std::string& name, const std::string& text)
+{
+  const double number = NumberOf(name, text);
+  if (number != std::floor(number) || std::abs(number) > 1e9)
   {
-    settings.SliceTarget = SliceTargetNames().NumberOf(value.Text);
+    throw std::runtime_error("the setting " + name + " is '" + text + "', which is no count");
   }
-  else if (value.Name == "slice_order")
+  return static_cast<int>(number);
+}
+
+struct SettingRow
+{
+  const char* Name;
+  bool IsNumber; // in JSON
+  Setter Set;
+};
+
+const SettingRow Rows[] = {
+  { "termination_threshold", true,
+    [](TechniqueSettings& s, const std::string& text)
+    { s.TerminationThreshold = NumberOf("termination_threshold", text); } },
+  { "table_size", true,
+    [](TechniqueSettings& s, const std::string& text)
+    { s.TableSize = CountOf("table_size", text); } },
+  { "work_group_shape", false,
+    [](TechniqueSettings& s, const std::string& text) { s.WorkGroupShape = text; } },
+  { "slice_extent", false,
+    [](TechniqueSettings& s, const std::string& text)
+    { s.SliceExtent = SliceExtentNames().NumberOf(text); } },
+  { "slice_threads", true,
+    [](TechniqueSettings& s, const std::string& text)
+    { s.SliceThreads = SliceThreadsNames().NumberOf(text); } },
+  { "slice_target", false,
+    [](TechniqueSettings& s, const std::string& text)
+    { s.SliceTarget = SliceTargetNames().NumberOf(text); } },
+  { "slice_order", false,
+    [](TechniqueSettings& s, const std::string& text)
+    { s.SliceOrder = SliceOrderNames().NumberOf(text); } },
+  { "sample_distance_voxels", true,
+    [](TechniqueSettings& s, const std::string& text)
+    { s.SampleDistanceVoxels = NumberOf("sample_distance_voxels", text); } },
+};
+
+const SettingRow& RowOf(const std::string& name)
+{
+  std::string known;
+  for (const SettingRow& row : Rows)
   {
-    settings.SliceOrder = SliceOrderNames().NumberOf(value.Text);
+    if (name == row.Name)
+    {
+      return row;
+    }
+    known += (known.empty() ? "" : ", ") + std::string(row.Name);
   }
-  else
-  {
-    throw std::runtime_error("there is no technique setting '" + value.Name +
-      "'; known are work_group_shape, slice_extent, slice_threads, slice_target, slice_order");
-  }
+  throw std::runtime_error("there is no technique setting '" + name + "'; known are " + known);
 }
 }
 
@@ -74,10 +123,22 @@ Variant ParseVariant(const std::string& text)
       throw std::runtime_error("the variant '" + text + "' holds '" + parts[i] +
         "'; each part after the technique must be NAME=VALUE");
     }
-    variant.Values.push_back(
-      { Trimmed(parts[i].substr(0, equals)), Trimmed(parts[i].substr(equals + 1)) });
+    const SettingValue value = { Trimmed(parts[i].substr(0, equals)),
+      Trimmed(parts[i].substr(equals + 1)) };
+    if (value.Name == "integrator")
+    {
+      variant.Integrator = IntegratorNames().NumberOf(value.Text);
+    }
+    else if (value.Name == "step_voxels")
+    {
+      variant.StepVoxels = NumberOf(value.Name, value.Text);
+    }
+    else
+    {
+      variant.Values.push_back(value);
+    }
   }
-  WithValues({}, variant.Values);
+  CheckTechniqueSettings(WithValues({}, variant.Values));
   return variant;
 }
 
@@ -87,7 +148,7 @@ TechniqueSettings WithValues(
   TechniqueSettings changed = settings;
   for (const SettingValue& value : values)
   {
-    SetValue(changed, value);
+    RowOf(value.Name).Set(changed, value.Text);
   }
   return changed;
 }
@@ -97,7 +158,7 @@ std::string SettingsJson(const std::vector<SettingValue>& values)
   std::vector<JsonMember> members;
   for (const SettingValue& value : values)
   {
-    const bool number = value.Name == ThreadsName;
+    const bool number = RowOf(value.Name).IsNumber;
     members.push_back({ value.Name, number ? value.Text : JsonString(value.Text) });
   }
   return JsonObject(members);
@@ -105,6 +166,12 @@ std::string SettingsJson(const std::vector<SettingValue>& values)
 
 void CheckTechniqueSettings(const TechniqueSettings& settings)
 {
+  // What our mapper can tell by itself, it does; VTK's mappers would draw nothing or never end.
+  if (!(settings.SampleDistanceVoxels >= SmallestStepVoxels))
+  {
+    throw std::runtime_error("the sample distance is " + JsonNumber(settings.SampleDistanceVoxels) +
+      " voxels; it must be at least " + JsonNumber(SmallestStepVoxels));
+  }
   SliceExtentNames().NameOf(settings.SliceExtent);
   SliceThreadsNames().NameOf(settings.SliceThreads);
   SliceTargetNames().NameOf(settings.SliceTarget);
@@ -113,6 +180,8 @@ void CheckTechniqueSettings(const TechniqueSettings& settings)
 
 void ApplySettings(const TechniqueSettings& settings, vtkVolumeBenchMapper& mapper)
 {
+  mapper.SetTerminationThreshold(settings.TerminationThreshold);
+  mapper.SetTableSize(settings.TableSize);
   mapper.SetWorkGroupShape(settings.WorkGroupShape.c_str());
   mapper.SetSliceExtent(settings.SliceExtent);
   mapper.SetSliceThreads(settings.SliceThreads);

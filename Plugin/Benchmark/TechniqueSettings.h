@@ -4,6 +4,7 @@
 
 #include "VolumeBenchBenchmarkModule.h"
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -14,11 +15,15 @@ namespace volumebench
 /// Numbers and texts as in vtkVolumeBenchMapper. A technique ignores what it does not have.
 struct TechniqueSettings
 {
+  double TerminationThreshold = 0.001;
+  int TableSize = 0;
   std::string WorkGroupShape = "Auto";
   int SliceExtent = 0;
   int SliceThreads = 0;
   int SliceTarget = 0;
   int SliceOrder = 0;
+  double SampleDistanceVoxels =
+    0.5; // of the peers; 0.5 is what ParaView asks for in a still picture
 };
 
 struct SettingValue
@@ -32,10 +37,14 @@ struct Variant
 {
   std::string Technique;
   std::vector<SettingValue> Values;
+  int Integrator = -1;                                          // -1: each of the experiment's
+  double StepVoxels = std::numeric_limits<double>::quiet_NaN(); // NaN: each of the experiment's
 };
 
-/// Reads "ID; name=value; name=value" with the names work_group_shape, slice_extent, slice_threads,
-/// slice_target and slice_order. Throws std::runtime_error that quotes what it cannot read.
+/// Reads "ID; name=value; name=value" with the names integrator, step_voxels,
+/// termination_threshold, table_size, work_group_shape, slice_extent, slice_threads, slice_target,
+/// slice_order and, for peers, sample_distance_voxels. Throws std::runtime_error that quotes what
+/// it cannot read.
 VOLUMEBENCHBENCHMARK_EXPORT Variant ParseVariant(const std::string& text);
 
 /// `settings` with the values of a variant in place. Throws for unknown names and values.

@@ -130,7 +130,7 @@ public:
   ///@}
 
   ///@{
-  /** Camera path; "orbit-y" is the only one. */
+  /** Camera path: "orbit-y", or "three-views" with 3 frames; see Orbit.h. */
   vtkSetStdStringFromCharMacro(CameraPath);
   vtkGetCharFromStdStringMacro(CameraPath);
   ///@}

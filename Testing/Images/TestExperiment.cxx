@@ -2,6 +2,8 @@
 #include "Contestant.h"
 #include "EveryTechnique.h"
 #include "Experiment.h"
+#include "Stage.h"
+#include "VtkSampleCounter.h"
 
 using namespace volumebench;
 using namespace volumebench::test;
@@ -152,7 +154,7 @@ TEST_P(Experiments, CountsTheSamplesOfAConstantCube)
   small.Input.Property = small.Property;
   ExperimentSettings settings = SmallSettings(GetParam());
   settings.ErrorViews = 0;
-  settings.TerminationThreshold = 0.0; // else a projection stops at the largest value there is
+  settings.Own.TerminationThreshold = 0.0; // else a projection stops at the largest value there is
   const RayLengths expected = LengthsInCube(settings, small.Image->GetBounds());
   const bool slicing = IsSliced(GetParam());
   for (const int mode : { 0, 1, 2, 3, vtkVolumeBenchMapper::GRADIENT_BLEND })
@@ -296,6 +298,62 @@ TEST(ExperimentContestants, UnknownOnesAreNamedWithTheKnown)
     EXPECT_NE(std::string(error.what()).find("'nix'"), std::string::npos);
     EXPECT_NE(std::string(error.what()).find("vtk-fixed-point"), std::string::npos);
   }
+}
+
+// VTK's mapper samples at both ends of a ray, or not, and stops none in such a thin cube.
+TEST(ExperimentContestants, SamplesOfVtksGpuMapperAreThoseOfItsGeometry)
+{
+  SmallInput small;
+  small.Image = MakeImage(17, 17, 17, [](double, double, double) { return 0.5; });
+  small.Property = MakeConstantProperty(0.01);
+  small.Input.Image = small.Image;
+  small.Input.Property = small.Property;
+  ExperimentSettings settings = SmallSettings("vtk-gpu");
+  settings.ErrorViews = 0;
+  for (const char* voxels : { "0.5", "0.25", "0.0625" })
+  {
+    settings.Variants.push_back({ "vtk-gpu", { { "sample_distance_voxels", voxels } } });
+  }
+  const RayLengths expected = LengthsInCube(settings, small.Image->GetBounds());
+  const auto results = RunExperiment(settings, small.Input, GoOn);
+  ASSERT_EQ(results.size(), 3u);
+  for (const RunResult& result : results)
+  {
+    const double steps = expected.Sum / result.StepVoxels;
+    EXPECT_GE(result.Samples.Taken, steps - expected.Rays) << result.StepVoxels;
+    EXPECT_LE(result.Samples.Taken, steps + 2.0 * expected.Rays) << result.StepVoxels;
+    EXPECT_EQ(result.Samples.Skipped, 0.0);
+    EXPECT_TRUE(std::isnan(result.Samples.RaysTerminated)) << "VTK does not tell";
+  }
+}
+
+TEST(ExperimentContestants, CountingSamplesLeavesVtksPictureAsItWas)
+{
+  const SmallInput small;
+  Contestant peer("vtk-gpu", small.Input);
+  peer.SetStepVoxels(0.5);
+  Stage stage(48, 48);
+  stage.Add(peer);
+  stage.Show(peer);
+  stage.Place(OrbitPose(1, {}, small.Image->GetBounds()));
+  const std::vector<float> before = stage.Picture().Pixels;
+  {
+    const VtkSampleCounter counter(peer.GetVolume());
+    EXPECT_NE(stage.Picture().Pixels, before);
+  }
+  EXPECT_EQ(stage.Picture().Pixels, before);
+}
+
+TEST(ExperimentContestants, AFinerSampleDistanceIsCloserToTheTruth)
+{
+  const SmallInput small;
+  ExperimentSettings settings = SmallSettings("vtk-gpu");
+  settings.Variants = { ParseVariant("vtk-gpu"),
+    ParseVariant("vtk-gpu; sample_distance_voxels=0.0625") };
+  const auto results = RunExperiment(settings, small.Input, GoOn);
+  ASSERT_EQ(results.size(), 2u);
+  EXPECT_LT(results[1].Error.Rmse, 0.3 * results[0].Error.Rmse);
+  EXPECT_EQ(SettingsJson(results[1].Settings), "{\"sample_distance_voxels\": 0.0625}");
 }
 
 TEST(ExperimentContestants, PeersSayWhichBlendModesTheyLack)

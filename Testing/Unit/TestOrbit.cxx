@@ -60,3 +60,22 @@ TEST(Orbit, BlocksSeeAllSidesAndFillTheGaps)
   EXPECT_EQ(seen.size(), 36u);
   EXPECT_EQ(BlockFrames(0, 6, 2), (std::vector<int>{ 0, 1 }));
 }
+
+TEST(Orbit, ThreeViewsLookAlongXAlongZAndObliquely)
+{
+  const double bounds[6] = { 0.0, 2.0, 0.0, 4.0, 0.0, 6.0 };
+  OrbitSettings settings;
+  settings.FramesPerTurn = FixedViews;
+  settings.Path = CameraPath::ThreeViews;
+  const double distance = std::sqrt(14.0) / std::sin(15.0 * std::acos(-1.0) / 180.0);
+  const double directions[3][3] = { { 1, 0, 0 }, { 0, 0, 1 }, { 0.5825634, 0.4226183, 0.6942720 } };
+  for (int frame = 0; frame < 6; ++frame)
+  {
+    const CameraPose pose = OrbitPose(frame, settings, bounds);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      EXPECT_NEAR(
+        pose.Position[axis] - pose.FocalPoint[axis], distance * directions[frame % 3][axis], 1e-5);
+    }
+  }
+}

@@ -36,3 +36,12 @@ TEST(SampleCount, AnOrdinaryPictureCountsNothing)
     EXPECT_TRUE(std::isnan(SumSampleCounts({ 1, 1, pixels }).Taken));
   }
 }
+
+TEST(SampleCount, OfViewsIsTheirMean)
+{
+  const SampleCount mean = MeanSampleCount({ { 10.0, 4.0, 1.0 }, { 20.0, 0.0, 0.0 } });
+  EXPECT_DOUBLE_EQ(mean.Taken, 15.0);
+  EXPECT_DOUBLE_EQ(mean.Skipped, 2.0);
+  EXPECT_DOUBLE_EQ(mean.RaysTerminated, 0.5);
+  EXPECT_TRUE(std::isnan(MeanSampleCount({ { 10.0, 0.0, 0.0 }, {} }).Taken));
+}

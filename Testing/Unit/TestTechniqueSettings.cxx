@@ -1,8 +1,10 @@
 #include "Names.h"
+#include "RunPlan.h"
 #include "TechniqueSettings.h"
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <stdexcept>
 
 using namespace volumebench;
@@ -52,6 +54,69 @@ TEST(TechniqueSettings, JsonHoldsThreadsAsNumber)
   EXPECT_EQ(SettingsJson({}), "{}");
   EXPECT_EQ(SettingsJson({ { "slice_threads", "4" }, { "slice_target", "RGBA8" } }),
     "{\"slice_threads\": 4, \"slice_target\": \"RGBA8\"}");
+}
+
+TEST(TechniqueSettings, VariantMayNameIntegratorAndStep)
+{
+  const Variant variant = ParseVariant("compute; integrator=Left; step_voxels=0.25; table_size=64");
+  EXPECT_EQ(variant.Integrator, 0);
+  EXPECT_EQ(variant.StepVoxels, 0.25);
+  ASSERT_EQ(variant.Values.size(), 1u) << "integrator and step are no settings of a technique";
+  EXPECT_EQ(WithValues({}, variant.Values).TableSize, 64);
+  EXPECT_EQ(ParseVariant("compute").Integrator, -1);
+  EXPECT_TRUE(std::isnan(ParseVariant("compute").StepVoxels));
+}
+
+TEST(TechniqueSettings, NumbersAreReadWhole)
+{
+  const Variant variant = ParseVariant("vtk-gpu; sample_distance_voxels=0.125");
+  EXPECT_EQ(WithValues({}, variant.Values).SampleDistanceVoxels, 0.125);
+  EXPECT_EQ(SettingsJson(variant.Values), "{\"sample_distance_voxels\": 0.125}");
+  const Variant threshold = ParseVariant("compute; termination_threshold=1e-4");
+  EXPECT_EQ(WithValues({}, threshold.Values).TerminationThreshold, 1e-4);
+  EXPECT_NE(FaultOf("compute; termination_threshold=1e-4x").find("'1e-4x'"), std::string::npos);
+  EXPECT_NE(FaultOf("compute; step_voxels=").find("no number"), std::string::npos);
+  EXPECT_NE(FaultOf("compute; table_size=64.5").find("no count"), std::string::npos);
+  EXPECT_NE(FaultOf("vtk-gpu; sample_distance_voxels=0").find("at least"), std::string::npos);
+}
+
+TEST(RunPlan, IsTheProductButForWhatVariantsName)
+{
+  ExperimentSettings settings;
+  settings.Integrators = { 0, 1 };
+  settings.StepsVoxels = { 2.0, 1.0 };
+  settings.Variants = { ParseVariant("compute; integrator=PreIntegrated"),
+    ParseVariant("compute; step_voxels=0.5; integrator=Left"),
+    ParseVariant("slices; slice_threads=4") };
+  const auto textOf = [&](const std::string& technique)
+  {
+    std::string text;
+    for (const PlannedRun& run : PlanRuns(settings, technique))
+    {
+      text += std::to_string(run.Integrator) + "@" + std::to_string(run.StepVoxels).substr(0, 3) +
+        "+" + std::to_string(run.Values.size()) + " ";
+    }
+    return text;
+  };
+  EXPECT_EQ(textOf("compute"), "3@2.0+0 0@0.5+0 3@1.0+0 ");
+  EXPECT_EQ(textOf("slices"), "0@2.0+1 0@1.0+1 1@2.0+1 1@1.0+1 ");
+  EXPECT_EQ(textOf("single-pass"), "0@2.0+0 0@1.0+0 1@2.0+0 1@1.0+0 ");
+}
+
+TEST(RunPlan, APeerHasItsVariantsOnly)
+{
+  ExperimentSettings settings;
+  settings.Integrators = { 0, 1 };
+  settings.StepsVoxels = { 2.0, 1.0 };
+  ASSERT_EQ(PlanPeerRuns(settings, "vtk-gpu").size(), 1u);
+  EXPECT_EQ(PlanPeerRuns(settings, "vtk-gpu")[0].StepVoxels, 0.5);
+  settings.Variants = { ParseVariant("vtk-gpu"),
+    ParseVariant("vtk-gpu; sample_distance_voxels=0.125") };
+  const auto runs = PlanPeerRuns(settings, "vtk-gpu");
+  ASSERT_EQ(runs.size(), 2u);
+  EXPECT_EQ(runs[0].StepVoxels, 0.5);
+  EXPECT_EQ(runs[1].StepVoxels, 0.125);
+  EXPECT_EQ(runs[1].Integrator, -1);
 }
 
 TEST(TechniqueSettings, FaultsQuoteWhatIsWrong)
