@@ -31,6 +31,15 @@ public:
   vtkSetStdStringFromCharMacro(FileName);
   vtkGetCharFromStdStringMacro(FileName);
 
+  ///@{
+  /**
+   * Instead of what ParaView's own volumes look like, write in red how many samples VTK's GPU
+   * mapper takes for each pixel; default off. Volumes with another mapper are left as they are.
+   */
+  vtkSetMacro(CountSamples, bool);
+  vtkGetMacro(CountSamples, bool);
+  ///@}
+
   /**
    * Renders and writes. What goes wrong is reported as one error that names the file or the cause.
    */
@@ -46,6 +55,7 @@ private:
 
   vtkWeakPointer<vtkPVRenderView> View;
   std::string FileName;
+  bool CountSamples = false;
 };
 
 #endif
