@@ -22,6 +22,7 @@ from .study import Study
 from .study_file import find_study, load_study
 from .summary import unfinished
 from .tables import text_tables
+from .work_precision_tables import sweep_text
 
 
 class _Parser(argparse.ArgumentParser):
@@ -124,9 +125,12 @@ def write_views(
     study: Study, folder: Path, runner: Runner, records: list[Record]
 ) -> None:
     """Write plots and report, and print the table."""
-    write_plots(folder, records)
+    swept = bool(study.sweeps)
+    write_plots(folder, records, swept)
     write_report(folder, study, runner.context, records, runner.notes)
     print(text_tables(study, records))
+    if swept:
+        print(sweep_text(records))
     count = len(unfinished(records))
     print(
         f"{len(records)} rows, {count} without a measurement; {folder / 'report.html'}"

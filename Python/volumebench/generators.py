@@ -103,9 +103,40 @@ class Ball:
         return np.exp(-(((radius - self.RADIUS) / self.WALL) ** 2))
 
 
-GENERATORS: dict[str, type[Lemniscate] | type[Ball]] = {
+@dataclass(frozen=True)
+class Waves:
+    """A smooth field that fills its box: the sum of one sine along each axis.
+
+    With x, y and z from 0 to 1 over the box, the value is
+    (3 + sin(4 pi x + 0.5) + sin(3 pi y + 1.7) + sin(5 pi z + 2.9)) / 6.
+    """
+
+    dims: tuple[int, int, int] = (128, 128, 128)
+    scalar_type: str = "uint16"
+
+    HALF_WAVES = (4, 3, 5)
+    PHASES = (0.5, 1.7, 2.9)
+
+    def file_stem(self) -> str:
+        """Return a name that holds every parameter, so that a stored volume can be reused."""
+        size = "x".join(str(count) for count in self.dims)
+        return f"waves-{size}-{self.scalar_type}"
+
+    def slices(self) -> Iterator[np.ndarray]:
+        """Yield the slices along z, each [y, x], in the scalar type of the volume."""
+        x, y, z = (
+            np.sin(half_waves * math.pi * np.linspace(0, 1, count) + phase)
+            for half_waves, phase, count in zip(self.HALF_WAVES, self.PHASES, self.dims)
+        )
+        for height in z:
+            value = (3 + x[None, :] + y[:, None] + height) / 6
+            yield quantised(value, self.scalar_type)
+
+
+GENERATORS: dict[str, type[Lemniscate] | type[Ball] | type[Waves]] = {
     "lemniscate": Lemniscate,
     "ball": Ball,
+    "waves": Waves,
 }
 
 

@@ -6,6 +6,8 @@ from dataclasses import dataclass
 from .study import Camera
 
 VIEW_ANGLE_DEGREES = 30.0
+THREE_VIEWS = "three-views"
+FIXED_ANGLES = ((90.0, 0.0), (0.0, 0.0), (40.0, 25.0))  # azimuth, elevation
 Vector = tuple[float, float, float]
 Bounds = tuple[float, float, float, float, float, float]
 
@@ -21,16 +23,19 @@ class CameraPose:
 
 
 def orbit_pose(frame: int, frames: int, bounds: Bounds, camera: Camera) -> CameraPose:
-    """Return the pose of one frame: azimuth 360 * frame / frames about y, from +z at frame 0.
+    """Return the pose of one frame, looking at the middle of the bounds.
 
-    At zoom 1 the bounding sphere just fits the view angle; zoom z divides the distance by z.
+    Path orbit-y: azimuth 360 * frame / frames about y, from +z at frame 0. Path three-views: along
+    x, along z, obliquely. At zoom 1 the bounding sphere just fits the view angle; zoom z divides
+    the distance by z.
     """
     low, high = bounds[0::2], bounds[1::2]
     center = tuple((a + b) / 2 for a, b in zip(low, high))
     radius = math.dist(low, high) / 2 or 0.5
     distance = radius / math.sin(math.radians(VIEW_ANGLE_DEGREES / 2)) / camera.zoom
-    azimuth = 2 * math.pi * frame / frames
-    elevation = math.radians(camera.elevation_degrees)
+    azimuth, elevation = (
+        math.radians(angle) for angle in _angles(frame, frames, camera)
+    )
     direction = (
         math.cos(elevation) * math.sin(azimuth),
         math.sin(elevation),
@@ -38,6 +43,13 @@ def orbit_pose(frame: int, frames: int, bounds: Bounds, camera: Camera) -> Camer
     )
     position = tuple(c + distance * d for c, d in zip(center, direction))
     return CameraPose(position, center)
+
+
+def _angles(frame: int, frames: int, camera: Camera) -> tuple[float, float]:
+    """Return azimuth and elevation in degrees."""
+    if camera.path == THREE_VIEWS:
+        return FIXED_ANGLES[frame % len(FIXED_ANGLES)]
+    return 360 * frame / frames, camera.elevation_degrees
 
 
 def block_frames(block: int, size: int, frames: int) -> list[int]:

@@ -11,46 +11,18 @@ from matplotlib.ticker import FuncFormatter, LogLocator  # noqa: E402
 
 from .error import EIGHT_BIT_RMSE  # noqa: E402
 from .errors import BenchError  # noqa: E402
+from .plot_style import COLORS, PATH_TITLES, PEER_COLOR, STYLE  # noqa: E402
 from .results import OK, Record  # noqa: E402
 from .study import Scene  # noqa: E402
 from .summary import in_scene, is_peer, lines, sampling_text  # noqa: E402
 from .summary import scenes_of, standard_rows  # noqa: E402
 from .techniques import PARAVIEW, TECHNIQUES  # noqa: E402
+from .work_precision_plot import sweep_figure  # noqa: E402
 
 LABEL_ROOM = 1.3  # times as long: closer dots share the label of their step
 FOLDER = "plots"
-PEER_COLOR = "#3a3f4a"
-COLORS = (
-    "#0072b2",
-    "#d55e00",
-    "#009e73",
-    "#cc79a7",
-    "#e69f00",
-    "#56b4e9",
-    "#7a5195",
-    "#8c564b",
-)
 EIGHT_BIT_LABEL = "rounding of an 8-bit screen"
 DOUBT_LABEL = "uncertainty of the reference"
-PATH_TITLES = {
-    "engine": "engine: the filter's own window",
-    "view": "view: ParaView, still render",
-    "interactive": "interactive: ParaView while dragging",
-    "remote": "remote: client and server",
-}
-_STYLE = {
-    "font.size": 9,
-    "axes.spines.top": False,
-    "axes.spines.right": False,
-    "axes.edgecolor": "#9aa0ab",
-    "axes.titlesize": 10,
-    "axes.titleweight": "bold",
-    "axes.titlelocation": "left",
-    "axes.axisbelow": True,
-    "grid.color": "#e4e6ea",
-    "legend.frameon": False,
-    "figure.dpi": 130,
-}
 
 
 def technique_color(technique: str) -> str:
@@ -71,14 +43,15 @@ def fps_plot_file(scene: Scene) -> str:
     return f"fps-{scene.file_stem()}.png"
 
 
-def write_plots(folder: Path, records: list[Record]) -> None:
+def write_plots(folder: Path, records: list[Record], swept: bool = False) -> None:
     """Write the figures of each scene that has something to show."""
+    error_figure = sweep_figure if swept else _error_figure
     target = folder / FOLDER
     for scene in scenes_of(records):
         rows = [row for row in in_scene(records, scene) if row.status == OK]
-        with plt.rc_context(_STYLE):
+        with plt.rc_context(STYLE):
             if any(row.error.rmse for row in rows):
-                save_figure(_error_figure(rows), target / error_plot_file(scene))
+                save_figure(error_figure(rows), target / error_plot_file(scene))
             if rows:
                 save_figure(_fps_figure(rows), target / fps_plot_file(scene))
 

@@ -10,8 +10,9 @@ from .gallery import Gallery, read_galleries
 from .json_file import write_atomically
 from .page import head, page
 from .plot import FOLDER as PLOT_FOLDER
-from .plot import PATH_TITLES, error_plot_file, fps_plot_file
-from .report_style import HOW_TO_READ
+from .plot import error_plot_file, fps_plot_file
+from .plot_style import PATH_TITLES
+from .report_style import HOW_SWEEPS_ARE_READ, HOW_TO_READ
 from .results import Context, Record
 from .study import COMPOSITE, Scene, Study
 from .notes import SLOW_FACTOR, all_notes
@@ -30,6 +31,8 @@ from .summary import (
 )
 from .tables import Table, setting_tables, slow_table, stage_table
 from .techniques import REFERENCE_TECHNIQUE, TECHNIQUES
+from .work_precision import sentence
+from .work_precision_tables import sweep_remarks, sweep_tables
 
 UNEQUAL = (
     "<p><small>* not at equal error: no run was as accurate as the peer's</small></p>"
@@ -66,6 +69,7 @@ def write_report(
     body = "\n".join(
         [
             head(study.name, study.description, context),
+            _sweep(study, records),
             _summary(records),
             f'<section class="read"><h2>How to read this</h2>{HOW_TO_READ}</section>',
             *scenes,
@@ -88,6 +92,18 @@ def _summary(records: list[Record]) -> str:
         f'<section><h2>Result</h2><ul class="headlines">{points}</ul><p>Each technique at the fastest setting whose error does not '
         "exceed the peer's, so the speed-up is at equal or better quality.</p>"
         f"{_line_table(shown, with_scene=True)}</section>"
+    )
+
+
+def _sweep(study: Study, records: list[Record]) -> str:
+    """The sentence to quote, and what the sweeps tell over all scenes."""
+    if not study.sweeps:
+        return ""
+    remarks = "".join(f"<li>{escape(text)}</li>" for text in sweep_remarks(records))
+    tables = "".join(_table(table) for table in sweep_tables(records))
+    return (
+        f'<section><p class="lead">{escape(sentence(records))}</p>{tables}'
+        f"<ul>{remarks}</ul>{HOW_SWEEPS_ARE_READ}</section>"
     )
 
 

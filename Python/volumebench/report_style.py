@@ -26,6 +26,7 @@ img.plot { display: block; max-width: 100%; margin: 12px auto; }
 figure { margin: 0; }
 figure img { width: 100%; display: block; border-radius: 4px; background: #000; }
 figcaption { margin: 5px 0 10px; line-height: 1.4; }
+p.lead { font-size: 19px; line-height: 1.4; font-weight: 600; margin: 0 0 12px; }
 ul.headlines { font-size: 16px; padding-left: 20px; }
 details { margin-top: 10px; }
 summary { cursor: pointer; color: #0072b2; }
@@ -54,4 +55,14 @@ frames of their own, since counting and timing slow a frame down.</p>
 <b>interactive</b>: the same while the mouse drags, when ParaView's own volume rendering lowers its
 quality to stay fluid; compare the errors as well as the speeds there. In a view the techniques
 take turns in random order, so that a busy machine slows all of them alike.</p>
+"""
+
+HOW_SWEEPS_ARE_READ = """
+<p><small>Each scene is drawn along x, along z and obliquely; the error is that of the three pictures
+together, the time the median of their frames. ParaView's Volume is compared with our representations
+in the same render view, VTK's mapper with our techniques in the filter's own window. Times at an
+error are read off the Pareto front, straight between two measured runs in log-log and nowhere beyond
+them: "not reached" says whose runs do not get there, "at least" that our fastest run is already more
+accurate. ParaView's Volume has no setting for its step, so that it is one point. Samples are those of
+a frame, counted on the device; for VTK's mapper by its own shader.</small></p>
 """

@@ -127,14 +127,12 @@ def _set_properties(
 
 
 def _set_factors(bench: Any, runs: list[Run]) -> None:
-    """Set what differs between the runs; the filter measures all combinations of it."""
-    bench.Techniques = _different(run.technique for run in runs)
-    bench.Integrators = _different(run.integrator for run in runs) or ["Midpoint"]
-    bench.StepVoxels = _different(run.step_voxels for run in runs) or [1.0]
-    bench.Variants = _different(
-        variant_text(run.technique, run.settings) if run.settings else None
+    """List every run as a variant, so that the filter measures these and no others."""
+    bench.Techniques = list(dict.fromkeys(run.technique for run in runs))
+    bench.Variants = [
+        variant_text(run.technique, run.integrator, run.step_voxels, run.settings)
         for run in runs
-    )
+    ]
 
 
 def _set_zoom(bench: Any, zoom: float) -> None:
@@ -146,10 +144,6 @@ def _set_zoom(bench: Any, zoom: float) -> None:
         )
 
 
-def _different(values: Any) -> list[Any]:
-    return [value for value in dict.fromkeys(values) if value is not None]
-
-
 def _record(
     run: Run, volume: OpenVolume, row: dict[str, Any] | None, reason: str
 ) -> Record:
@@ -158,14 +152,15 @@ def _record(
 
 
 def _answers(row: dict[str, Any], run: Run) -> bool:
-    """Tell whether a table row is that run; a peer's row is told by its technique alone."""
+    """Tell whether a table row is that run; a peer has no integrator or step of a study's."""
     if row["technique"] != run.technique:
+        return False
+    if json.loads(row["settings"] or "{}") != dict(run.settings):
         return False
     if TECHNIQUES[run.technique].peer:
         return True
     same_step = math.isclose(row["step_voxels"], run.step_voxels, rel_tol=1e-6)
-    same_settings = json.loads(row["settings"] or "{}") == dict(run.settings)
-    return same_step and same_settings and row["integrator"] == run.integrator
+    return same_step and row["integrator"] == run.integrator
 
 
 def _keep_picture(

@@ -110,6 +110,21 @@ class ViewStage:
             )
         return values.reshape(height, width, 4)[::-1].copy()
 
+    def count_samples(self) -> int | None:
+        """Return the samples that VTK's mapper takes for the picture that ParaView's Volume shows.
+
+        None where it is not VTK's GPU mapper that draws.
+        """
+        self._capture.CountSamples = 1
+        try:
+            picture = self.capture()
+        finally:
+            self._capture.CountSamples = 0
+            self._capture.UpdateVTKObjects()
+        counts = picture[..., 0].astype(np.float64)
+        whole = np.isfinite(counts).all() and (counts == np.floor(counts)).all()
+        return int(counts.sum()) if whole and counts.any() else None
+
     def compare(self, pairs: list[Pair]) -> ImageError:
         """Return the error over all pairs of (picture, reference), pooled."""
         return compare_pictures(pairs)

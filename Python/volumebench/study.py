@@ -121,6 +121,17 @@ class Run:
 
 
 @dataclass(frozen=True)
+class Sweep:
+    """Runs that differ along some axes only: a product of its own, of some techniques."""
+
+    techniques: tuple[str, ...]
+    paths: tuple[str, ...]
+    integrators: tuple[str, ...]
+    step_voxels: tuple[float, ...]
+    settings: dict[str, tuple[Any, ...]] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
 class Study:
     """All factors and settings of one study file."""
 
@@ -138,6 +149,7 @@ class Study:
         default_factory=dict
     )
     technique_settings_scenes: tuple[ScenePattern, ...] = ()
+    sweeps: tuple[Sweep, ...] = ()
     paths: tuple[str, ...] = PATHS
     camera: Camera = field(default_factory=Camera)
     timing: Timing = field(default_factory=Timing)
@@ -160,30 +172,46 @@ class Study:
         ]
 
     def runs(self) -> list[Run]:
-        """Return the full factorial; a peer appears once a scene and path."""
+        """Return the full factorial, or that of each sweep; peers have no integrator or step."""
         view = self.camera.path
-        return [
+        found = [
             Run(self.name, scene, technique, integrator, step, view, path, settings)
             for scene in self.scenes()
             for path in self.paths
             for technique in self.techniques
             if path in find_technique(technique, self.name).paths
-            for integrator, step in self._samplings(technique)
-            for settings in self._settings(technique, scene)
+            for sweep in self._sweeps_of(technique, scene, path)
+            for integrator, step in self._samplings(technique, sweep)
+            for settings in _combinations(sweep.settings)
+        ]
+        return list(dict.fromkeys(found))
+
+    def _sweeps_of(self, technique: str, scene: Scene, path: str) -> list[Sweep]:
+        """Return the sweeps of a technique; without any, one with the factors of the study."""
+        if self.sweeps:
+            return [
+                sweep
+                for sweep in self.sweeps
+                if technique in sweep.techniques and path in sweep.paths
+            ]
+        settings = self._settings(technique, scene)
+        return [
+            Sweep((technique,), (path,), self.integrators, self.step_voxels, settings)
         ]
 
-    def _samplings(self, technique: str) -> list[tuple[str | None, float | None]]:
+    def _samplings(
+        self, technique: str, sweep: Sweep
+    ) -> list[tuple[str | None, float | None]]:
         if find_technique(technique, self.name).peer:
             return [(None, None)]
-        return [(name, step) for name in self.integrators for step in self.step_voxels]
+        return list(product(sweep.integrators, sweep.step_voxels))
 
-    def _settings(self, technique: str, scene: Scene) -> list[Settings]:
-        """Return all combinations, or the first alone where the settings do not vary."""
+    def _settings(self, technique: str, scene: Scene) -> dict[str, tuple[Any, ...]]:
+        """Return all values, or the first alone where the settings do not vary."""
         given = self.technique_settings.get(technique, {})
         patterns = self.technique_settings_scenes
         varied = not patterns or any(item.matches(scene) for item in patterns)
-        values = given.values() if varied else [item[:1] for item in given.values()]
-        return [tuple(zip(given, combination)) for combination in product(*values)]
+        return given if varied else {name: item[:1] for name, item in given.items()}
 
     def dataset(self, name: str) -> Dataset:
         """Return the dataset of that name."""
@@ -253,6 +281,10 @@ class Study:
                 for item in self.technique_settings_scenes
             ),
         )
+
+
+def _combinations(settings: dict[str, tuple[Any, ...]]) -> list[Settings]:
+    return [tuple(zip(settings, values)) for values in product(*settings.values())]
 
 
 def _plain(values: dict[str, Any]) -> dict[str, Any]:

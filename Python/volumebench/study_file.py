@@ -6,10 +6,11 @@ from typing import Any
 from .errors import StudyError
 from .generators import GENERATORS
 from .json_file import check_schema, read_json
-from .study import Camera, Dataset, ErrorSettings, ScenePattern, Study, Timing
+from .orbit import FIXED_ANGLES, THREE_VIEWS
+from .study import Camera, Dataset, ErrorSettings, ScenePattern, Study, Sweep, Timing
 from .study import with_runs
 from .technique_settings import TECHNIQUE_SETTINGS, settings_of_technique
-from .techniques import find_technique
+from .techniques import PATHS, find_technique
 
 STUDY_FOLDER = Path(__file__).resolve().parent.parent / "Studies"
 _GROUPS = {"camera": Camera, "timing": Timing, "error": ErrorSettings}
@@ -80,7 +81,10 @@ def study_from(
         "datasets": datasets,
         "transfer_functions": _transfer_functions(document, datasets, path),
         "techniques": tuple(document["techniques"]),
-        "technique_settings": _technique_settings(document, path),
+        "technique_settings": _technique_settings(
+            document.get("technique_settings", {}), "technique_settings", path
+        ),
+        "sweeps": _sweeps(document, path),
         "technique_settings_scenes": tuple(
             ScenePattern(**_with_tuples(item))
             for item in document.get("technique_settings_scenes", ())
@@ -108,6 +112,11 @@ def _with_tuples(values: dict[str, Any]) -> dict[str, Any]:
 
 
 def _check_views(error: ErrorSettings, camera: Camera, path: Path) -> None:
+    if camera.path == THREE_VIEWS and camera.frames != len(FIXED_ANGLES):
+        raise StudyError(
+            f'{path}: "camera.frames": the path {THREE_VIEWS} has {len(FIXED_ANGLES)} frames, '
+            f"not {camera.frames}"
+        )
     if error.views > camera.frames:
         raise StudyError(
             f'{path}: "error.views": {error.views} views do not fit an orbit of '
@@ -161,11 +170,10 @@ def _dataset(item: dict[str, Any], path: Path) -> Dataset:
 
 
 def _technique_settings(
-    document: dict[str, Any], path: Path
+    given: dict[str, Any], key: str, path: Path
 ) -> dict[str, dict[str, tuple[Any, ...]]]:
-    given = document.get("technique_settings", {})
     for technique, settings in given.items():
-        where = f'{path}: "technique_settings.{technique}"'
+        where = f'{path}: "{key}.{technique}"'
         find_technique(technique, where)
         known = settings_of_technique(technique)
         for name, values in settings.items():
@@ -179,6 +187,39 @@ def _technique_settings(
         technique: {name: tuple(values) for name, values in settings.items()}
         for technique, settings in given.items()
     }
+
+
+def _sweeps(document: dict[str, Any], path: Path) -> tuple[Sweep, ...]:
+    """Return the sweeps; what one does not give is that of the study."""
+    sweeps = []
+    for index, item in enumerate(document.get("sweeps", ())):
+        key = f"sweeps[{index}]"
+        techniques = item.get("techniques", document["techniques"])
+        for technique in techniques:
+            if technique not in document["techniques"]:
+                raise StudyError(
+                    f'{path}: "{key}.techniques": "{technique}" is not among "techniques"'
+                )
+        settings = item.get("settings", {})
+        given = {technique: settings for technique in techniques if settings}
+        checked = _technique_settings(given, f"{key}.settings", path)
+        sweeps.append(
+            Sweep(
+                tuple(techniques),
+                tuple(item.get("paths", document.get("paths", PATHS))),
+                tuple(
+                    item.get("integrators", document.get("integrators", ("Midpoint",)))
+                ),
+                tuple(
+                    float(step)
+                    for step in item.get(
+                        "step_voxels", document.get("step_voxels", (1,))
+                    )
+                ),
+                checked[techniques[0]] if settings else {},
+            )
+        )
+    return tuple(sweeps)
 
 
 def _check_values(where: str, name: str, values: list[Any]) -> None:

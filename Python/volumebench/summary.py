@@ -8,6 +8,7 @@ from .technique_settings import settings_text
 from .techniques import TECHNIQUES
 
 STANDARD_STEP_VOXELS = 1.0
+PEER_DISTANCE = 0.5  # voxels: ParaView's in a still picture, and what vtk-gpu takes unless it is set
 
 
 @dataclass(frozen=True)
@@ -29,6 +30,11 @@ class Line:
 def is_peer(record: Record) -> bool:
     """Tell whether the row belongs to a technique that is not ours."""
     return TECHNIQUES[record.technique].peer
+
+
+def sample_distance(record: Record) -> float:
+    """Return the distance of a peer's samples in voxels: what it was set to, or its default."""
+    return record.settings.get("sample_distance_voxels", PEER_DISTANCE)
 
 
 def scenes_of(records: list[Record]) -> list[Scene]:
@@ -87,6 +93,8 @@ def lines(records: list[Record]) -> list[Line]:
 
 def _lines_of_path(rows: list[Record]) -> list[Line]:
     peers = [row for row in rows if is_peer(row)]
+    # A sweep measures a peer at other sample distances too: it is set against its default one.
+    peers = [row for row in peers if sample_distance(row) == PEER_DISTANCE] or peers
     peer = peers[0] if peers else None
     result = [Line(row, peer, True) for row in peers]
     for technique in dict.fromkeys(row.technique for row in rows if not is_peer(row)):
@@ -165,7 +173,7 @@ def unfinished(records: list[Record]) -> list[Record]:
 def sampling_text(record: Record) -> str:
     """Return integrator, step and varied settings for readers."""
     if record.step_voxels is None:
-        return "its own default"
+        return settings_text(record.settings) or "its own default"
     text = f"{record.integrator}, step {record.step_voxels:g}"
     return f"{text}, {settings_text(record.settings)}" if record.settings else text
 

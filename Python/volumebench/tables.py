@@ -10,6 +10,7 @@ from .summary import (
     Line,
     headlines,
     in_scene,
+    is_peer,
     lines,
     million_samples,
     million_samples_per_second,
@@ -69,7 +70,7 @@ def setting_tables(records: list[Record]) -> list[Table]:
     groups: dict[tuple, list[Record]] = {}
     for row in records:
         if row.status == OK and row.settings:
-            sampling = (row.integrator, row.step_voxels)
+            sampling = (row.integrator, row.step_voxels, tuple(sorted(row.settings)))
             key = (row.run().scene, row.path, row.technique, *sampling)
             groups.setdefault(key, []).append(row)
     return [_setting_table(rows) for rows in groups.values() if len(rows) > 1]
@@ -90,16 +91,20 @@ def _setting_table(rows: list[Record]) -> Table:
             *(value_text(name, row.settings[name]) for name in names),
             number(row.fps, ".1f"),
             number(row.frame_ms.median, ".1f"),
+            number(row.error.rmse, ".2e"),
             *(number((row.stages_ms or {}).get(name), ".2f") for name in stages),
         )
         for row in rows
     )
     title = (
         f"{TECHNIQUES[first.technique].title} by {', '.join(titles)}: "
-        f"{first.run().scene.title()}, path {first.path}, {first.integrator}, "
-        f"step {first.step_voxels:g}"
+        f"{first.run().scene.title()}, path {first.path}"
     )
-    return Table(title, (*titles, "FPS", "ms", *stage_titles), cells, len(names))
+    if not is_peer(first):
+        title += f", {first.integrator}, step {first.step_voxels:g}"
+    return Table(
+        title, (*titles, "FPS", "ms", "RMSE", *stage_titles), cells, len(names)
+    )
 
 
 def stage_table(records: list[Record]) -> Table | None:

@@ -7,7 +7,9 @@ from typing import Any
 Settings = tuple[tuple[str, Any], ...]
 
 _SHAPE = re.compile(r"Auto|[1-9][0-9]{0,3}x[1-9][0-9]{0,3}")
+_CASTING = ("single-pass", "multi-pass", "compute", "opencl", "cuda")
 _SLICING = ("slices", "slices-threaded")
+_VTK = ("vtk-gpu", "vtk-fixed-point")
 
 
 @dataclass(frozen=True)
@@ -18,9 +20,14 @@ class TechniqueSetting:
     techniques: tuple[str, ...]
     values: tuple[Any, ...] = ()
     expected: str = ""
+    kind: type = str
+    limits: tuple[float, float] | None = None
 
     def accepts(self, value: Any) -> bool:
         """Tell whether the value is one that the setting can take."""
+        if self.limits:
+            number = isinstance(value, (int, self.kind)) and value is not True
+            return number and self.limits[0] <= value <= self.limits[1]
         if self.values:
             return type(value) is type(self.values[0]) and value in self.values
         return isinstance(value, str) and _SHAPE.fullmatch(value) is not None
@@ -31,6 +38,14 @@ class TechniqueSetting:
 
 
 TECHNIQUE_SETTINGS = {
+    "termination_threshold": TechniqueSetting(
+        *("TerminationThreshold", _CASTING, (), "a number from 0 to 0.999999"),
+        *(float, (0, 0.999999)),
+    ),
+    "table_size": TechniqueSetting(
+        *("TableSize", _CASTING + _SLICING, (), "a whole number from 0 to 65536"),
+        *(int, (0, 65536)),
+    ),
     "work_group_shape": TechniqueSetting(
         "WorkGroupShape", ("compute",), (), "Auto, or WIDTHxHEIGHT such as 16x8"
     ),
@@ -46,6 +61,10 @@ TECHNIQUE_SETTINGS = {
     "slice_order": TechniqueSetting(
         "SliceOrder", _SLICING, ("Front to Back", "Back to Front")
     ),
+    "sample_distance_voxels": TechniqueSetting(
+        *("", _VTK, (), "a number of voxels from 1/1024 to 100"),
+        *(float, (1 / 1024, 100)),
+    ),
 }
 
 
@@ -58,14 +77,24 @@ def settings_of_technique(technique: str) -> list[str]:
     ]
 
 
-def variant_text(technique: str, settings: Settings) -> str:
-    """Return a variant of a technique as the benchmark filter reads it."""
-    return "; ".join([technique, *(f"{name}={value}" for name, value in settings)])
+def variant_text(
+    technique: str,
+    integrator: str | None,
+    step_voxels: float | None,
+    settings: Settings,
+) -> str:
+    """Return a run as the benchmark filter reads it: a technique with all that it is drawn with."""
+    sampling = (("integrator", integrator), ("step_voxels", step_voxels))
+    given = [item for item in sampling if item[1] is not None]
+    return "; ".join(
+        [technique, *(f"{name}={value}" for name, value in (*given, *settings))]
+    )
 
 
 def value_text(name: str, value: Any) -> str:
-    """Return a value for readers: 0 threads are as many as pay."""
-    return "auto" if name == "slice_threads" and value == 0 else str(value)
+    """Return a value for readers: of 0 threads or table entries there are as many as it takes."""
+    automatic = name in ("slice_threads", "table_size") and value == 0
+    return "auto" if automatic else str(value)
 
 
 def settings_text(settings: dict[str, Any]) -> str:

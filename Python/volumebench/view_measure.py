@@ -18,7 +18,7 @@ from .results import FAILED, OK, UNSUPPORTED, times
 from .study import Run, Study
 from .summary import STANDARD_STEP_VOXELS
 from .technique_settings import Settings
-from .techniques import INTERACTIVE, REFERENCE_TECHNIQUE
+from .techniques import INTERACTIVE, PARAVIEW, REFERENCE_TECHNIQUE
 
 BLOCK_FRAMES = 4
 # VTK's mapper needs some interactive frames until its automatic step has settled.
@@ -59,6 +59,9 @@ class Stage(Protocol):
     def compare(self, pairs: list[tuple[np.ndarray, np.ndarray]]) -> ImageError:
         ...
 
+    def count_samples(self) -> int | None:
+        ...
+
     def can_capture(self) -> bool:
         ...
 
@@ -79,6 +82,7 @@ class Contestant:
     status: str = OK
     reason: str | None = None
     error: ImageError = field(default_factory=ImageError)
+    samples_taken: int | None = None
 
     def is_open(self) -> bool:
         """Tell whether another block is wanted."""
@@ -93,6 +97,7 @@ class Contestant:
         """Return what a record holds beyond the run itself."""
         measured = times(self.rule.frame_ms) if self.status == OK else {}
         outcome = {"status": self.status, "reason": self.reason, "error": self.error}
+        outcome["samples_taken"] = self.samples_taken
         return outcome | measured
 
 
@@ -133,6 +138,9 @@ def measure_view(
             _guarded(stage, contestant, study, _run_block)
             report(sum(_share(item, study) for item in contestants))
         turn += 1
+    for contestant in contestants:
+        if contestant.status == OK and contestant.run.technique == PARAVIEW:
+            _guarded(stage, contestant, study, _count_samples)
     scene = runs[0].scene
     size = study.error_size(scene)
     if size != scene.image_size:
@@ -173,7 +181,7 @@ def sampling_of(run: Run, study: Study) -> Sampling:
         run.technique,
         run.integrator,
         run.step_voxels,
-        study.termination_threshold,
+        dict(run.settings).get("termination_threshold", study.termination_threshold),
         run.settings,
     )
 
@@ -206,6 +214,20 @@ def _settle(
         stage.render(pose, path == INTERACTIVE)
         if time.perf_counter() - start_s > study.timing.time_limit_s / 4:
             break
+
+
+def _count_samples(stage: Stage, contestant: Contestant, study: Study) -> None:
+    """Count the samples of a frame, in the timed size; mean over the error views."""
+    if not stage.can_capture():
+        return
+    stage.show(sampling_of(contestant.run, study))
+    counts = []
+    for view in range(max(study.error.views, 1)):
+        pose = _error_pose(stage, study, view)
+        _settle(stage, pose, contestant.run.path, 1, study)
+        counts.append(stage.count_samples())
+    if None not in counts:
+        contestant.samples_taken = round(sum(counts) / len(counts))
 
 
 def _reference_pictures(stage: Stage, study: Study, size: tuple[int, int]) -> Pictures:

@@ -55,6 +55,9 @@ class FakeStage:
             0.02 * step**2 if self.sampling.integrator == "Midpoint" else 0.02 * step
         )
 
+    def count_samples(self) -> int:
+        return 1000 * self.side
+
     def compare(self, pairs) -> ImageError:
         """RMSE inside the disc alone, and the size."""
         inside = [truth[..., 3] > 0 for _, truth in pairs]

@@ -292,7 +292,7 @@ BALL = {"name": "ball"}
         (changed("quick", {"datasets": ["mri"]}), "quick.datasets", "mri"),
         (changed("quick", {"timing": {"speed": 1}}), "quick.timing", "speed"),
         (settings_of("slices", slice_threads=[1]), "slices", "slice_extent"),
-        (settings_of("single-pass", slice_threads=[1]), "single-pass", "none"),
+        (settings_of("paraview-volume", slice_threads=[1]), "paraview-volume", "none"),
         (settings_of("warp", slice_threads=[1]), "technique_settings", "warp"),
         (settings_of("slices", slice_target=[]), "slice_target", "at least one"),
         (settings_of("slices", slice_target=["RGB"]), "slice_target", "'RGB'"),
