@@ -13,6 +13,7 @@ class vtkVolumeBenchMapper;
 namespace volumebench
 {
 /// Numbers and texts as in vtkVolumeBenchMapper. A technique ignores what it does not have.
+/// ParaView's distance is shorter than half a voxel in volumes of less than 100 cells an edge.
 struct TechniqueSettings
 {
   double TerminationThreshold = 0.001;
@@ -22,8 +23,7 @@ struct TechniqueSettings
   int SliceThreads = 0;
   int SliceTarget = 0;
   int SliceOrder = 0;
-  double SampleDistanceVoxels =
-    0.5; // of the peers; 0.5 is what ParaView asks for in a still picture
+  double SampleDistanceVoxels = 0.5; // of the peers; 0.5 is ParaView's in a still picture
 };
 
 struct SettingValue

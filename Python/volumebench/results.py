@@ -170,7 +170,7 @@ def _cleaned(value: Any) -> Any:
 
 
 def _whole(value: Any) -> int | None:
-    return None if value is None else int(value)
+    return None if value is None else round(value)
 
 
 def write_results(folder: Path, context: Context, records: list[Record]) -> None:

@@ -19,6 +19,8 @@ SAMPLE_BAR = 1 / 2  # in every scene
 SAMPLE_MEAN_BAR = 1 / 3  # in the geometric mean
 EXPECTED_ORDERS = {"Left": 1, "Midpoint": 2, "Segment": 2, "PreIntegrated": 2}
 ORDER_TOLERANCE = 0.3
+FLAT_ORDER = 0.5
+NEVER_STOPPING = {"termination_threshold": 0}
 LARGEST_ORDER_STEP = 1.0  # voxels: beyond it there is no trend yet
 
 
@@ -159,6 +161,7 @@ class Order:
     integrator: str
     order: float
     steps: tuple[float, ...]
+    stopping: bool  # measured on rays that stop early
 
     def expected(self) -> int:
         """Return the order for smooth data and functions."""
@@ -168,33 +171,47 @@ class Order:
         """Tell whether it is clearly below that."""
         return self.order < self.expected() - ORDER_TOLERANCE
 
+    def is_flat(self) -> bool:
+        """Tell whether the error hardly depends on the step."""
+        return self.order < FLAT_ORDER
+
 
 def orders(records: list[Record]) -> list[Order]:
     """Return the orders of single pass, from steps up to a voxel whose errors can be trusted.
 
-    Each is the slope of a straight line through at least three points in log-log.
+    Each is the slope of a straight line through at least three points in log-log: of rays that
+    never stop early, where these were measured, since what a ray leaves out has no order.
     """
     result = []
     for scene in scenes_of(records):
         rows = [
             point.record
             for point in points_of(in_scene(records, scene))
-            if point.record.technique == REFERENCE_TECHNIQUE
-            and point.record.path == ENGINE
-            and not point.record.settings
-            and point.record.step_voxels <= LARGEST_ORDER_STEP
-            and not is_doubtful(point.record)
+            if _has_order(point.record)
         ]
         for integrator in dict.fromkeys(row.integrator for row in rows):
+            own = [row for row in rows if row.integrator == integrator]
+            stopping = not any(row.settings for row in own)
             curve = {
                 row.step_voxels: row.error.rmse
-                for row in rows
-                if row.integrator == integrator
+                for row in own
+                if stopping or row.settings
             }
             if len(curve) > 2:
-                slope = _slope(curve)
-                result.append(Order(scene, integrator, slope, tuple(sorted(curve))))
+                steps = tuple(sorted(curve))
+                order = Order(scene, integrator, _slope(curve), steps, stopping)
+                result.append(order)
     return result
+
+
+def _has_order(row: Record) -> bool:
+    return (
+        row.technique == REFERENCE_TECHNIQUE
+        and row.path == ENGINE
+        and row.settings in ({}, NEVER_STOPPING)
+        and row.step_voxels <= LARGEST_ORDER_STEP
+        and not is_doubtful(row)
+    )
 
 
 def _slope(curve: dict[float, float]) -> float:

@@ -10,7 +10,7 @@ from .results import Record
 from .summary import PEER_DISTANCE, is_peer, sample_distance
 from .technique_settings import settings_text
 from .techniques import PARAVIEW, TECHNIQUES
-from .work_precision import Point, front_of, is_doubtful, points_of
+from .work_precision import NEVER_STOPPING, Point, front_of, is_doubtful, points_of
 
 GREY = "#b5bac4"
 FRONT_COLOR = "#f2b705"
@@ -59,20 +59,32 @@ def _method(record: Record) -> str:
     if is_peer(record):
         return title
     text = f"{title}, {record.integrator}"
-    if record.settings:
+    if record.settings == NEVER_STOPPING:
+        text += ", rays never stop"
+    elif record.settings:
         text += f", other {' and '.join(record.settings).replace('_', ' ')}"
     return text
 
 
 def _styles(points: list[Point]) -> dict[str, tuple[str, str]]:
-    """Return colour and marker of each method, the same in all panels."""
-    names = dict.fromkeys(
-        _method(point.record) for point in points if not is_peer(point.record)
-    )
+    """Return colour and marker of each method, the same in all panels.
+
+    Settings do not change the colour of an integrator, but its marker.
+    """
+    ours = [point.record for point in points if not is_peer(point.record)]
+    colors = list(dict.fromkeys(_sampling(record) for record in ours))
+    names = {_method(record): _sampling(record) for record in ours}
     return {
-        name: (COLORS[index % len(COLORS)], MARKERS[index % len(MARKERS)])
-        for index, name in enumerate(names)
+        name: (
+            COLORS[colors.index(sampling) % len(COLORS)],
+            MARKERS[index % len(MARKERS)],
+        )
+        for index, (name, sampling) in enumerate(names.items())
     }
+
+
+def _sampling(record: Record) -> tuple[str, str | None]:
+    return record.technique, record.integrator
 
 
 def _panel(panel: Any, points: list[Point], styles: dict[str, tuple[str, str]]) -> None:
@@ -105,7 +117,9 @@ def _panel(panel: Any, points: list[Point], styles: dict[str, tuple[str, str]]) 
 
 def _curve(panel: Any, name: str, points: list[Point], color: str, marker: str) -> None:
     """Draw a method: joined along its steps, or loose points where settings vary."""
-    settings = bool(points[0].record.settings)
+    given = points[0].record.settings
+    never_stopping = given == NEVER_STOPPING
+    settings = bool(given) and not never_stopping
     ordered = sorted(points, key=lambda point: point.record.step_voxels)
     x = [point.ms * SECONDS for point in ordered]
     y = [point.rmse for point in ordered]
@@ -115,14 +129,15 @@ def _curve(panel: Any, name: str, points: list[Point], color: str, marker: str) 
         color=color,
         marker=marker,
         markersize=5,
-        linestyle="none" if settings else "-",
-        markerfacecolor="white" if settings else color,
+        linestyle="none" if settings else ":" if never_stopping else "-",
+        markerfacecolor="white" if given else color,
         linewidth=1.4,
         label=name,
         zorder=3,
     )
     _grey_doubtful(panel, ordered, marker)
-    for point in ordered if settings else (ordered[0], ordered[-1]):
+    ends = () if never_stopping else (ordered[0], ordered[-1])
+    for point in ordered if settings else ends:
         record = point.record
         words = f"step {record.step_voxels:g}"
         if settings:

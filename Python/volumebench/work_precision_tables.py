@@ -21,6 +21,8 @@ from .work_precision import (
 )
 
 NOT_REACHED = "not reached"
+FLAT = "the step hardly matters any more: tables, rounding or the reference do"
+STOPPING = "rays stop early: what they leave out does not depend on the step"
 KINKS = (
     "kinks: trilinear data bend at every cell face, and the functions at their points"
 )
@@ -75,11 +77,17 @@ def _order_row(item: Order) -> tuple[str, ...]:
     return (
         item.scene.title(),
         item.integrator,
-        KINKS if item.is_low() else "",
+        _cause(item) if item.is_low() else "",
         f"{max(item.steps):g} to {min(item.steps):g}",
         f"{item.order:.2f}",
         str(item.expected()),
     )
+
+
+def _cause(item: Order) -> str:
+    if item.stopping:
+        return STOPPING
+    return FLAT if item.is_flat() else KINKS
 
 
 def sample_table(records: list[Record]) -> Table | None:

@@ -118,6 +118,58 @@ def check_variants() -> None:
     ]
 
 
+def check_variants_with_a_sampling_of_their_own() -> None:
+    """A variant that names integrator and step is one row, whatever the lists hold."""
+    bench = benchmark(wavelet(8))
+    bench.Techniques = ["single-pass", "vtk-gpu"]
+    bench.StepVoxels = [2.0, 1.0]
+    bench.Variants = [
+        "single-pass; integrator=Segment; step_voxels=0.25; table_size=64",
+        "vtk-gpu; sample_distance_voxels=2",
+    ]
+    table = expect_rows(bench, 2)
+
+    def column(name: str) -> list:
+        return [table.GetColumnByName(name).GetValue(row) for row in range(2)]
+
+    assert column("integrator") == ["Segment", ""]
+    assert column("step_voxels") == [0.25, 2.0]
+    assert json.loads(column("settings")[0]) == {"table_size": 64}
+
+
+def check_three_views() -> None:
+    bench = benchmark(wavelet(8))
+    bench.CameraPath = "three-views"
+    expect_nothing(bench, "three-views has 3 frames, not 4")
+    bench.Frames = 3
+    bench.ErrorViews = 3
+    table = expect_rows(bench, 1)
+    assert table.GetColumnByName("view").GetValue(0) == "three-views"
+
+
+def check_samples_of_paraviews_volume() -> None:
+    """Straight through a cube of 16 voxels: as many samples as ParaView's step for so few voxels.
+
+    Below 100 cells an edge, VTK shortens its half voxel: times 0.01 + 0.99 * 16 / 100 for 16 cells.
+    """
+    source = wavelet(8)
+    view = new_view()
+    display = show(source, view, "Volume")
+    color_by(display, view, "RTData")
+    opacity = simple.GetOpacityTransferFunction("RTData")
+    opacity.Points = [0, 0.01, 0.5, 0, 300, 0.01, 0.5, 0]
+    look(view, 0, 0)
+    view.CameraParallelProjection = 1
+    before = capture(view)
+    counts = capture(view, count_samples=True)[..., 0]
+    steps = 16 / (0.5 * (0.01 + 0.99 * 0.16))
+    covered = counts[counts > 0]
+    print(f"  {covered.min():g} to {covered.max():g} samples for {steps:.1f} steps")
+    assert (abs(covered - steps) <= 2).all()
+    assert ((counts > 0) == (before[..., 3] > 0)).all()
+    assert rmse(capture(view), before) == 0, "counting changed the view"
+
+
 def check_samples_and_stages() -> None:
     """Counts are whole numbers above 0 where a technique counts; stages are JSON."""
     table = expect_rows(benchmark(wavelet(8)), 1)

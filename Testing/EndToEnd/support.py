@@ -122,11 +122,15 @@ def look(view: Any, azimuth: float = 30, elevation: float = 20) -> None:
     simple.ResetCamera(view)
 
 
-def capture(view: Any) -> np.ndarray:
-    """Render the view and return it as premultiplied float RGBA, row 0 on top."""
+def capture(view: Any, count_samples: bool = False) -> np.ndarray:
+    """Render the view and return it as premultiplied float RGBA, row 0 on top.
+
+    Or return how many samples VTK's mapper takes, in red.
+    """
     simple.Render(view)
     proxy = servermanager.misc.VolumeBenchmarkViewCapture()
     proxy.View = view
+    proxy.CountSamples = int(count_samples)
     with temporary_folder() as folder:
         path = folder / "capture.rgba32f"
         proxy.FileName = str(path)

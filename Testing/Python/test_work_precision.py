@@ -165,7 +165,14 @@ def test_sentence_names_scenes_that_are_lacking():
 def sweep(order: float, integrator: str, **given) -> list[Record]:
     return [
         row(
-            *("single-pass", 10 / step, 1e-2 * step**order, "engine", step, integrator),
+            *(
+                "single-pass",
+                10 / step,
+                1e-2 * step**order,
+                "engine",
+                step,
+                integrator,
+            ),
             **given,
         )
         for step in (4.0, 1.0, 0.5, 0.25)
@@ -181,7 +188,18 @@ def test_order_is_the_slope_over_small_steps():
     assert found["Segment"].order == pytest.approx(1.5)
     assert [name for name, item in found.items() if item.is_low()] == ["Segment"]
     rows = {cells[1]: cells for cells in order_table(records).rows}
-    assert "kinks" in rows["Segment"][2] and rows["Midpoint"][2] == ""
+    assert "stop early" in rows["Segment"][2] and rows["Midpoint"][2] == ""
+
+
+def test_order_is_that_of_rays_that_never_stop():
+    never = sweep(1.4, "Midpoint", settings=(("termination_threshold", 0),))
+    (found,) = orders(sweep(0.1, "Midpoint") + never)
+    assert found.order == pytest.approx(1.4) and not found.stopping
+    assert "kinks" in order_table(never).rows[0][2]
+    flat = sweep(0.2, "Segment", settings=(("termination_threshold", 0),))
+    assert "hardly matters" in order_table(flat).rows[0][2]
+    other = sweep(2, "Midpoint", settings=(("table_size", 64),))
+    assert orders(other) == []
 
 
 def test_orders_need_errors_that_can_be_trusted():
@@ -217,9 +235,7 @@ def test_verdict_holds_every_scene_against_the_bar():
         records = []
         for index, count in enumerate(samples):
             scene = replace(SCENE, transfer_function=f"f{index}")
-            records.append(
-                row("paraview-volume", 80, 1e-2, samples=1000, scene=scene)
-            )
+            records.append(row("paraview-volume", 80, 1e-2, samples=1000, scene=scene))
             if count:
                 ours = row(
                     "single-pass", 10, 5e-3, "engine", samples=count, scene=scene
