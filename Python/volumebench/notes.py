@@ -48,13 +48,14 @@ def slow_rows(records: list[Record]) -> list[SlowRow]:
 
 def _beside_single_pass(rows: list[Record]) -> list[SlowRow]:
     timed = [row for row in rows if row.status == OK and row.frame_ms.median]
+    standard = standard_rows(timed)
     bases = {
         (row.path, row.integrator, row.step_voxels): row
-        for row in timed
+        for row in standard
         if row.technique == REFERENCE_TECHNIQUE
     }
     pairs = []
-    for row in standard_rows(timed):
+    for row in standard:
         base = bases.get((row.path, row.integrator, row.step_voxels))
         if base is not None and base is not row and not is_peer(row):
             pairs.append(SlowRow(row, base))

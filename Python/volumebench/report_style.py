@@ -35,7 +35,7 @@ summary { cursor: pointer; color: #0072b2; }
 
 HOW_TO_READ = """
 <p>Every technique draws the same scene from the same camera. Its <b>error</b> is the distance of
-its picture to a reference with very short steps: RMSE, and the difference that 99.9 % of all
+its picture to an exact reference in double precision: RMSE, and the difference that 99.9 % of all
 values stay below, on linear premultiplied float RGBA between 0 and 1, over the pixels that either
 picture covers. 1e-3 is about a quarter of one grey level of an 8-bit screen; the dotted line marks
 what rounding to 8 bits alone costs. The <b>mean error</b> keeps its sign: picture less reference.

@@ -122,6 +122,7 @@ def _set_properties(
     bench.RelativeNoise = study.timing.relative_noise
     bench.TimeLimit = study.timing.time_limit_s
     bench.ErrorViews = study.error.views
+    bench.Reference = study.error.reference
     bench.ReferenceStepVoxels = study.error.reference_step_voxels
     bench.ErrorImageSize = list(study.error.image_size or (0, 0))
 

@@ -10,6 +10,8 @@ from .technique_settings import Settings
 from .techniques import INTERACTIVE, PATHS, VIEW, find_technique
 
 COMPOSITE = "Composite"
+CELL_EXACT = "Cell Exact"
+FINE_STEPS = "Fine Steps"
 BLEND_MODES = (COMPOSITE, "Maximum", "Minimum", "Average", "Gradient")
 
 
@@ -57,6 +59,7 @@ class ErrorSettings:
     """
 
     views: int = 2
+    reference: str = CELL_EXACT
     reference_step_voxels: float = 0.03125
     image_size: tuple[int, int] | None = None
 

@@ -15,7 +15,7 @@ from .errors import BenchError
 from .measure import StopRule, shuffled
 from .orbit import Bounds, CameraPose, block_frames, error_frame, orbit_pose
 from .results import FAILED, OK, UNSUPPORTED, times
-from .study import Run, Study
+from .study import CELL_EXACT, FINE_STEPS, Run, Study
 from .summary import STANDARD_STEP_VOXELS
 from .technique_settings import Settings
 from .techniques import INTERACTIVE, PARAVIEW, REFERENCE_TECHNIQUE
@@ -23,8 +23,13 @@ from .techniques import INTERACTIVE, PARAVIEW, REFERENCE_TECHNIQUE
 BLOCK_FRAMES = 4
 # VTK's mapper needs some interactive frames until its automatic step has settled.
 SETTLE_FRAMES = {"view": 1, "interactive": 3}
-REFERENCE_TERMINATION = 1e-7
-CHECK_REDUCTION = 4
+EXACT_TECHNIQUE = "reference"
+EXACT_LABEL = "cell-exact float64"
+EXACT_REDUCTION = 8  # the check is made on a picture so much smaller
+FINE_REDUCTION = 4
+CHECK_STEPS = (
+    4  # the check extrapolates from four times, twice and once the reference step
+)
 
 
 class Unsupported(BenchError):
@@ -40,6 +45,7 @@ class Sampling:
     step_voxels: float | None
     termination_threshold: float
     settings: Settings = ()
+    reference_method: str | None = None
 
 
 class Stage(Protocol):
@@ -250,24 +256,36 @@ def _reference_pictures(stage: Stage, study: Study, size: tuple[int, int]) -> Pi
 def _render_references(
     stage: Stage, study: Study, size: tuple[int, int], pictures: Pictures
 ) -> None:
-    views, step = study.error.views, study.error.reference_step_voxels
-    stage.resize(tuple(max(side // CHECK_REDUCTION, 1) for side in size))
+    """Render the reference of each view, and what it is checked with, as the filter does."""
+    exact = study.error.reference == CELL_EXACT
+    reduction = EXACT_REDUCTION if exact else FINE_REDUCTION
+    stage.resize(tuple(max(side // reduction, 1) for side in size))
     try:
-        coarse = _reference(stage, study, 0, step)
-        fine = _reference(stage, study, 0, step / 2)
+        pair = [_reference(stage, study, 0, check) for check in (False, True)]
     finally:
         stage.resize(size)
-    pictures.uncertainty = stage.compare([(coarse, fine)]).rmse
+    pictures.uncertainty = stage.compare([tuple(pair)]).rmse
     pictures.references = [
-        _reference(stage, study, view, step) for view in range(views)
+        _reference(stage, study, view, False) for view in range(study.error.views)
     ]
-    pictures.label = f"{REFERENCE_TECHNIQUE} Midpoint step {step:g}"
+    step = study.error.reference_step_voxels
+    fine = f"{REFERENCE_TECHNIQUE} Midpoint step {step:g}"
+    pictures.label = EXACT_LABEL if exact else fine
 
 
-def _reference(stage: Stage, study: Study, view: int, step: float) -> np.ndarray:
-    stage.show(Sampling(REFERENCE_TECHNIQUE, "Midpoint", step, REFERENCE_TERMINATION))
+def _reference(stage: Stage, study: Study, view: int, check: bool) -> np.ndarray:
+    stage.show(_reference_sampling(study, check))
     stage.render(_error_pose(stage, study, view), interactive=False)
     return stage.capture()
+
+
+def _reference_sampling(study: Study, check: bool) -> Sampling:
+    """Return how the reference is drawn, or what it is checked with."""
+    step = study.error.reference_step_voxels
+    if study.error.reference == FINE_STEPS:
+        return Sampling(REFERENCE_TECHNIQUE, "Midpoint", step / 2 if check else step, 0)
+    method = "Midpoint" if check else CELL_EXACT
+    return Sampling(EXACT_TECHNIQUE, "Midpoint", CHECK_STEPS * step, 0, (), method)
 
 
 def _error_pose(stage: Stage, study: Study, view: int) -> CameraPose:

@@ -53,55 +53,24 @@ void vtkVolumeBenchRepresentation::SetRepresentation(const char* technique)
   this->GetMapper()->SetTechnique(technique);
 }
 
-void vtkVolumeBenchRepresentation::SetIntegrator(int integrator)
-{
-  this->GetMapper()->SetIntegrator(integrator);
-}
+#define vtkVolumeBenchForwardMacro(name, type)                                                     \
+  void vtkVolumeBenchRepresentation::Set##name(type value)                                         \
+  {                                                                                                \
+    this->GetMapper()->Set##name(value);                                                           \
+  }
 
-void vtkVolumeBenchRepresentation::SetStepVoxels(double step)
-{
-  this->GetMapper()->SetStepVoxels(step);
-}
-
-void vtkVolumeBenchRepresentation::SetTerminationThreshold(double threshold)
-{
-  this->GetMapper()->SetTerminationThreshold(threshold);
-}
-
-void vtkVolumeBenchRepresentation::SetRaySetUp(int setUp)
-{
-  this->GetMapper()->SetRaySetUp(setUp);
-}
-
-void vtkVolumeBenchRepresentation::SetWorkGroupShape(const char* shape)
-{
-  this->GetMapper()->SetWorkGroupShape(shape);
-}
-
-void vtkVolumeBenchRepresentation::SetSliceExtent(int extent)
-{
-  this->GetMapper()->SetSliceExtent(extent);
-}
-
-void vtkVolumeBenchRepresentation::SetSliceOrder(int order)
-{
-  this->GetMapper()->SetSliceOrder(order);
-}
-
-void vtkVolumeBenchRepresentation::SetSliceTarget(int target)
-{
-  this->GetMapper()->SetSliceTarget(target);
-}
-
-void vtkVolumeBenchRepresentation::SetSliceThreads(int threads)
-{
-  this->GetMapper()->SetSliceThreads(threads);
-}
-
-void vtkVolumeBenchRepresentation::SetLightingDamping(double gradient)
-{
-  this->GetMapper()->SetLightingDamping(gradient);
-}
+vtkVolumeBenchForwardMacro(Integrator, int);
+vtkVolumeBenchForwardMacro(StepVoxels, double);
+vtkVolumeBenchForwardMacro(TerminationThreshold, double);
+vtkVolumeBenchForwardMacro(RaySetUp, int);
+vtkVolumeBenchForwardMacro(WorkGroupShape, const char*);
+vtkVolumeBenchForwardMacro(SliceExtent, int);
+vtkVolumeBenchForwardMacro(SliceOrder, int);
+vtkVolumeBenchForwardMacro(SliceTarget, int);
+vtkVolumeBenchForwardMacro(SliceThreads, int);
+vtkVolumeBenchForwardMacro(LightingDamping, double);
+vtkVolumeBenchForwardMacro(ReferenceMethod, int);
+#undef vtkVolumeBenchForwardMacro
 
 void vtkVolumeBenchRepresentation::UpdateMapperParameters()
 {

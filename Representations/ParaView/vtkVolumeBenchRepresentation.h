@@ -62,6 +62,7 @@ public:
   void SetSliceTarget(int target);
   void SetSliceThreads(int threads);
   void SetLightingDamping(double gradient);
+  void SetReferenceMethod(int method);
   ///@}
 
   /**

@@ -11,6 +11,7 @@ from volumebench.view_measure import Pictures, Sampling, Unsupported, measure_vi
 
 
 PICTURE_WIDTH = 40  # of the small study
+CHECK_ERROR = 1e-3  # of the renderer that the reference is checked with
 
 
 class FakeStage:
@@ -40,7 +41,7 @@ class FakeStage:
         self.rendered.append((self.sampling, pose.position, interactive))
 
     def capture(self) -> np.ndarray:
-        axis = np.linspace(-1, 1, self.side)
+        axis = np.linspace(-1, 1, self.side + 2)[1:-1]
         disc = (axis[:, None] ** 2 + axis[None, :] ** 2 < 0.8).astype(np.float32)
         if self.sampling.technique == "slices":
             disc[:] = 0
@@ -49,6 +50,8 @@ class FakeStage:
 
     def _error(self) -> float:
         step = self.sampling.step_voxels
+        if self.sampling.technique == "reference":
+            return CHECK_ERROR if self.sampling.reference_method == "Midpoint" else 0.0
         if step is None:
             return 0.01
         return (

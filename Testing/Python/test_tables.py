@@ -75,6 +75,13 @@ def test_technique_table_shows_samples_and_their_rate(records):
     assert cells["VTK GPU mapper"]["Msamples"] == "-"
 
 
+def test_single_pass_is_not_slower_than_itself_with_other_settings():
+    fast = row("single-pass", 10.0)
+    slow = row("single-pass", 30.0, settings=(("termination_threshold", 0),))
+    assert slow_table([fast, slow]) is None
+    assert slow_table([slow, fast]) is None
+
+
 def test_settings_that_vary_have_a_table(records):
     (table,) = setting_tables(records)
     assert "Slices Threaded by slice threads" in table.title

@@ -3,7 +3,7 @@
 from dataclasses import replace
 
 import pytest
-from fakes import FakeStage
+from fakes import CHECK_ERROR, FakeStage
 from volumebench.results import FAILED, OK, UNSUPPORTED
 from volumebench.study import ErrorSettings, Timing
 from volumebench.view_measure import BLOCK_FRAMES, SETTLE_FRAMES, measure_view
@@ -64,27 +64,35 @@ def test_errors_follow_the_picture(calm):
     }
     coarse = by_sampling["single-pass", "Midpoint", 2]
     fine = by_sampling["single-pass", "Midpoint", 0.5]
-    # One channel of four differs, by 0.02 step^2 less that of the reference.
-    truth = 0.02 * 0.03125**2
-    assert coarse.rmse == pytest.approx((0.08 - truth) / 2, rel=1e-4)
-    assert fine.rmse == pytest.approx((0.005 - truth) / 2, rel=1e-4)
-    assert fine.reference_uncertainty == pytest.approx(truth * 0.75 / 2, rel=1e-2)
-    assert fine.reference == "single-pass Midpoint step 0.03125"
+    # One channel of four differs, by 0.02 step^2.
+    assert coarse.rmse == pytest.approx(0.08 / 2, rel=1e-4)
+    assert fine.rmse == pytest.approx(0.005 / 2, rel=1e-4)
+    assert fine.reference_uncertainty == pytest.approx(CHECK_ERROR / 2, rel=1e-2)
+    assert fine.reference == "cell-exact float64"
     assert len(pictures.references) == 2
 
 
-def test_reference_is_rendered_without_termination(calm):
+def test_reference_is_exact_and_checked_by_another_method(calm):
     stage = FakeStage()
     measured(stage, calm, paths=("view",))
-    thresholds = {
-        sampling.step_voxels: sampling.termination_threshold
-        for sampling in stage.shown
-        if sampling.step_voxels is not None
-    }
-    assert thresholds[0.03125] <= 1e-7
-    assert thresholds[0.015625] <= 1e-7
-    assert thresholds[1] == calm.termination_threshold
-    assert stage.side == 16, "the picture size was restored after the half-step check"
+    shown = [item for item in stage.shown if item.technique == "reference"]
+    assert [item.reference_method for item in shown[:2]] == ["Cell Exact", "Midpoint"]
+    assert {item.reference_method for item in shown[2:]} == {"Cell Exact"}
+    assert shown[1].step_voxels == 4 * 0.03125
+    assert {item.termination_threshold for item in shown} == {0}
+    others = {item.termination_threshold for item in stage.shown} - {0}
+    assert others == {calm.termination_threshold}
+    assert stage.side == 16, "the picture size was restored after the check"
+
+
+def test_fine_steps_may_be_the_reference(calm):
+    stage = FakeStage()
+    fine = ErrorSettings(views=1, reference="Fine Steps")
+    found, pictures = measured(stage, calm, paths=("view",), error=fine)
+    assert pictures.label == "single-pass Midpoint step 0.03125"
+    never = [item for item in stage.shown if item.termination_threshold == 0]
+    assert [item.step_voxels for item in never] == [0.03125, 0.015625, 0.03125]
+    assert {item.technique for item in never} == {"single-pass"}
 
 
 def test_errors_can_be_measured_on_another_picture_size(calm):
@@ -143,7 +151,7 @@ def test_a_failing_technique_is_named_and_the_rest_goes_on(
 
 
 def test_a_broken_reference_leaves_errors_absent(calm):
-    stage = FakeStage(broken="single-pass")
+    stage = FakeStage(broken="reference")
     found, pictures = measured(stage, calm, techniques=("paraview-volume",))
     assert "no reference" in pictures.note
     assert all(item.status == OK for item in found.values())
