@@ -159,50 +159,101 @@ FUNC vec4 pixelOf(SCENE_PARAM vec4 ray, int samplesTaken, real stopped)
 #endif
 }
 
-// The pixel of the part of a ray in the interval. Sample positions are begin + i * step from an integer
-// i, so a later jump over empty space lands on the same samples; the last step may be short.
+// How far a ray has been followed.
+STRUCT(March)
+{
+  vec4 result;
+#if WITH_COMPENSATION
+  vec4 lost; // what rounding took off the sums: a hundred thousand steps would show it (Kahan)
+#endif
+  StepEnd front;
+  int steps; // taken
+  real stopped;
+};
+
+// Takes one step. Sample positions are begin + i * step from an integer i, so a later jump over empty
+// space lands on the same samples; the last step may be short.
+FUNC March stepped(SCENE_PARAM Ray ray, Interval interval, March march)
+{
+  real stepLength = scene.sampling.x;
+  real stepBegin = interval.begin + TO_REAL(march.steps) * stepLength;
+  real width = min(stepLength, interval.end - stepBegin);
+  StepEnd back = stepEndAt(SCENE ray, stepBegin + width);
+  vec4 contribution = stepOf(SCENE ray, stepBegin, width, march.front, back);
+#if WITH_COMPENSATION
+  PRECISE vec4 change = additionOf(march.result, contribution) - march.lost;
+  PRECISE vec4 sum = march.result + change;
+  march.lost = (sum - march.result) - change;
+  march.result = sum;
+#else
+  march.result = accumulate(march.result, contribution);
+#endif
+  march.front = back;
+  march.steps = march.steps + 1;
+#if WITH_TERMINATION
+  march.stopped = isFinished(SCENE march.result) ? REAL(1.0) : REAL(0.0);
+#endif
+  return march;
+}
+
+#if WITH_COMPENSATION
+FUNC March steppedIfDue(SCENE_PARAM Ray ray, Interval interval, March march, int count)
+{
+  if (march.steps < count && march.stopped < REAL(0.5))
+  {
+    march = stepped(SCENE ray, interval, march);
+  }
+  return march;
+}
+
+FUNC March steppedFourTimes(SCENE_PARAM Ray ray, Interval interval, March march, int count)
+{
+  march = steppedIfDue(SCENE ray, interval, march, count);
+  march = steppedIfDue(SCENE ray, interval, march, count);
+  march = steppedIfDue(SCENE ray, interval, march, count);
+  return steppedIfDue(SCENE ray, interval, march, count);
+}
+#endif
+
+// The pixel of the part of a ray in the interval.
 FUNC vec4 integrate(SCENE_PARAM Ray ray, Interval interval)
 {
-  vec4 result = emptyRay();
-  real stepLength = scene.sampling.x;
-  int stepCount = 0;
-  int taken = 0;
-  real stopped = REAL(0.0);
+  int count = 0;
   if (interval.end > interval.begin)
   {
-    stepCount = TO_INT(ceil((interval.end - interval.begin) / stepLength));
+    count = TO_INT(ceil((interval.end - interval.begin) / scene.sampling.x));
   }
-  StepEnd front = stepEndAt(SCENE ray, interval.begin);
+  March march;
+  march.result = emptyRay();
 #if WITH_COMPENSATION
-  // What rounding took off the sum is added to the next step (Kahan): over a hundred thousand steps
-  // it would show.
-  PRECISE vec4 lost = VEC4(REAL(0.0), REAL(0.0), REAL(0.0), REAL(0.0));
+  march.lost = VEC4(REAL(0.0), REAL(0.0), REAL(0.0), REAL(0.0));
 #endif
-  for (int i = 0; i < stepCount; ++i)
+  march.front = stepEndAt(SCENE ray, interval.begin);
+  march.steps = 0;
+  march.stopped = REAL(0.0);
+#if WITH_COMPENSATION
+  // Mesa's llvmpipe leaves the loops of a kernel for good after 65535 rounds, so each takes 16
+  // steps; what is longer still is refused (MostSteps in Scene/Features.h).
+  while (march.steps < count && march.stopped < REAL(0.5))
   {
-    real stepBegin = interval.begin + TO_REAL(i) * stepLength;
-    real width = min(stepLength, interval.end - stepBegin);
-    StepEnd back = stepEndAt(SCENE ray, stepBegin + width);
-    vec4 contribution = stepOf(SCENE ray, stepBegin, width, front, back);
-#if WITH_COMPENSATION
-    PRECISE vec4 change = additionOf(result, contribution) - lost;
-    PRECISE vec4 sum = result + change;
-    lost = (sum - result) - change;
-    result = sum;
+    march = steppedFourTimes(SCENE ray, interval, march, count);
+    march = steppedFourTimes(SCENE ray, interval, march, count);
+    march = steppedFourTimes(SCENE ray, interval, march, count);
+    march = steppedFourTimes(SCENE ray, interval, march, count);
+  }
 #else
-    result = accumulate(result, contribution);
-#endif
-    front = back;
-    taken = (i + 1) * SAMPLES_OF_STEP;
+  for (int i = 0; i < count; ++i)
+  {
+    march = stepped(SCENE ray, interval, march);
 #if WITH_TERMINATION
-    if (isFinished(SCENE result))
+    if (march.stopped > REAL(0.5))
     {
-      stopped = REAL(1.0);
       break;
     }
 #endif
   }
-  return pixelOf(SCENE result, taken, stopped);
+#endif
+  return pixelOf(SCENE march.result, march.steps * SAMPLES_OF_STEP, march.stopped);
 }
 
 // Premultiplied colour and opacity of the ray through a pixel; pixels are counted in the window.

@@ -145,9 +145,9 @@ void Trial::ArrangeMapper(const Shot& shot)
     return;
   }
   ours->SetIntegrator(std::max(this->Tried.Integrator, 0));
+  ApplySettings(TechniqueSettings{}, *ours);
   ours->SetTerminationThreshold(0.0);
   ours->SetRaySetUp(1);
-  ApplySettings(TechniqueSettings{}, *ours);
   if (shot.Blocks)
   {
     ours->SetInputDataObject(shot.Blocks);

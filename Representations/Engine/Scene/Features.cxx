@@ -25,8 +25,8 @@ constexpr double ManySteps = 4096.0;
 
 bool HasLongRays(const Scene& s)
 {
-  return 2.0 * glm::length(s.Volume.BoxHalf) > ManySteps * s.Sampling.StepVoxels &&
-    !HasMode(s, BlendMode::Maximum) && !HasMode(s, BlendMode::Minimum);
+  return LongestRaySteps(s) > ManySteps && !HasMode(s, BlendMode::Maximum) &&
+    !HasMode(s, BlendMode::Minimum);
 }
 
 // Whether a step of Segment may be so deep that the order of the colours within it shows.
@@ -154,6 +154,11 @@ double KernelStepVoxels(const Scene& scene)
 {
   const bool segments = Has(FeaturesNeededBy(scene), Feature::Segment);
   return segments ? 2.0 * scene.Sampling.StepVoxels : scene.Sampling.StepVoxels;
+}
+
+double LongestRaySteps(const Scene& scene)
+{
+  return 2.0 * glm::length(scene.Volume.BoxHalf) / scene.Sampling.StepVoxels;
 }
 
 std::string GlslHead(bool compute, const FeatureSet& features)

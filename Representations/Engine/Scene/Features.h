@@ -68,6 +68,12 @@ VOLUMEBENCHENGINE_EXPORT std::string FeatureDefines(const FeatureSet& features);
 /// the middle of each.
 VOLUMEBENCHENGINE_EXPORT double KernelStepVoxels(const Scene& scene);
 
+/// Steps of the longest ray that a scene can have.
+VOLUMEBENCHENGINE_EXPORT double LongestRaySteps(const Scene& scene);
+
+/// The most steps that the kernels take along a ray, since one software renderer ends loops there.
+constexpr int MostSteps = 16 * 65535;
+
 /// What a GLSL text of these features begins with: the oldest version that has what they need.
 VOLUMEBENCHENGINE_EXPORT std::string GlslHead(bool compute, const FeatureSet& features);
 

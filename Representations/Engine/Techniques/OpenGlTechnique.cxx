@@ -25,6 +25,11 @@ void OpenGlTechnique::Prepare(const Scene& scene, vtkOpenGLRenderWindow* window)
 {
   const GlContextGuard guard(window);
   this->Features = this->FeaturesFor(scene);
+  if (Has(this->Features, Feature::Compensation) && LongestRaySteps(scene) > MostSteps)
+  {
+    throw SceneError("the step of " + std::to_string(scene.Sampling.StepVoxels) +
+      " voxels makes more than " + std::to_string(MostSteps) + " steps along a ray");
+  }
   if (this->ReadsTextures())
   {
     this->Textures.Update(scene);
