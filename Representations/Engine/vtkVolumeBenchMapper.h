@@ -82,7 +82,7 @@ public:
   ///@{
   /**
    * Entries of the table of the transfer functions; 0 (default): as many as its closest two points
-   * ask for, between 1024 and what the device takes.
+   * ask for, between 4096 and what the device takes.
    */
   vtkSetMacro(TableSize, int);
   vtkGetMacro(TableSize, int);

@@ -43,7 +43,7 @@ TEST(TransferFunctionTable, EndsAreExact)
   const TransferFunction function = BuildTransferFunction(Ramp(20.0, 60.0), range, { LargestSize });
   EXPECT_EQ(function.Low, 20.0);
   EXPECT_EQ(function.High, 60.0);
-  ASSERT_GE(function.Table.size(), 1024u);
+  ASSERT_GE(function.Table.size(), 4096u);
   EXPECT_EQ(function.Table.front(), glm::vec4(0.0f, 0.0f, 1.0f, 0.0f));
   EXPECT_EQ(function.Table.back().x, 1.0f);
   EXPECT_NEAR(function.Table.back().w, std::log(2.0) / 2.0, 1e-7);
@@ -79,12 +79,24 @@ TEST(TransferFunctionTable, CloseKnotsMakeItFiner)
 {
   auto property = Ramp(0.0, 100.0);
   const double range[2] = { 0.0, 100.0 };
-  EXPECT_EQ(BuildTransferFunction(property, range, { LargestSize }).Table.size(), 1024u);
+  EXPECT_EQ(BuildTransferFunction(property, range, { LargestSize }).Table.size(), 4096u);
   property->GetScalarOpacity()->AddPoint(50.0, 0.1);
   property->GetScalarOpacity()->AddPoint(50.2, 0.9);
-  EXPECT_NEAR(BuildTransferFunction(property, range, { LargestSize }).Table.size(), 4000.0, 1.0);
+  EXPECT_EQ(BuildTransferFunction(property, range, { LargestSize }).Table.size(), 4096u);
+  property->GetScalarOpacity()->AddPoint(50.1, 0.3);
+  EXPECT_NEAR(BuildTransferFunction(property, range, { LargestSize }).Table.size(), 8000.0, 1.0);
   property->GetScalarOpacity()->AddPoint(50.001, 0.2);
   EXPECT_EQ(BuildTransferFunction(property, range, { 2048 }).Table.size(), 2048u);
+}
+
+TEST(TransferFunctionTable, TheUserMaySayHowFineItIs)
+{
+  auto property = Ramp(0.0, 100.0);
+  const double range[2] = { 0.0, 100.0 };
+  EXPECT_EQ(BuildTransferFunction(property, range, { LargestSize, 2 }).Table.size(), 2u);
+  EXPECT_EQ(BuildTransferFunction(property, range, { LargestSize, 300 }).Table.size(), 300u);
+  EXPECT_THROW(BuildTransferFunction(property, range, { LargestSize, 1 }), SceneError);
+  EXPECT_THROW(BuildTransferFunction(property, range, { LargestSize, 20000 }), SceneError);
 }
 
 TEST(TransferFunctionTable, ConstantDataGiveAConstantTable)
@@ -118,6 +130,7 @@ TEST(TransferFunctionTable, StampChangesWithItsSources)
   auto property = Ramp(0.0, 1.0);
   const ChangeStamp first = BuildTransferFunction(property, range, { LargestSize }).Stamp;
   EXPECT_EQ(BuildTransferFunction(property, range, { LargestSize }).Stamp, first);
+  EXPECT_NE(BuildTransferFunction(property, range, { LargestSize, 300 }).Stamp, first);
   property->GetScalarOpacity()->AddPoint(0.5, 0.5);
   EXPECT_NE(BuildTransferFunction(property, range, { LargestSize }).Stamp, first);
 }

@@ -14,21 +14,19 @@ namespace volumebench
 {
 namespace
 {
-constexpr double LargestUnits = 2147450000.0; // 2^31, less some for what Raised adds
+constexpr double LargestUnits = 2147450000.0; // 2^31, less some for what Raise adds
 
-// Whole numbers of units, such that an entry with any extinction has at least one of them: the
-// kernel takes an entry without units for transparent.
-std::vector<glm::ivec4> Raised(const std::vector<glm::dvec4>& sums,
-  const std::vector<glm::dvec4>& means, const glm::dvec4& scale)
+// Entries with any extinction have at least one unit of it, of the colour they have: the kernel
+// takes an entry without units for transparent.
+void Raise(std::vector<glm::dvec4>& means, double unit)
 {
-  std::vector<glm::ivec4> units(sums.size());
-  for (std::size_t i = 1; i < sums.size(); ++i)
+  for (glm::dvec4& mean : means)
   {
-    units[i] = glm::ivec4(glm::round(scale * sums[i]));
-    const int least = units[i - 1].w + (means[i - 1].w > 0.0 ? 1 : 0);
-    units[i].w = std::max(units[i].w, least);
+    if (mean.w > 0.0 && mean.w < unit)
+    {
+      mean *= unit / mean.w;
+    }
   }
-  return units;
 }
 
 // Whether a straight line between two entries of the table is far from what lies between them.
@@ -81,27 +79,27 @@ std::vector<glm::dvec4> EntryMeans(const TransferFunction& function)
 
 void BuildPrefixTable(TransferFunction& function)
 {
-  const std::vector<glm::dvec4> means = EntryMeans(function);
+  std::vector<glm::dvec4> means = EntryMeans(function);
+  glm::dvec4 total(0.0);
   for (const glm::dvec4& mean : means)
   {
     function.MaximumExtinction = std::max(function.MaximumExtinction, mean.w);
+    total += mean;
   }
-  std::vector<glm::dvec4> sums(means.size() + 1, glm::dvec4(0.0));
-  for (std::size_t i = 0; i < means.size(); ++i)
-  {
-    sums[i + 1] = sums[i] + means[i];
-  }
-  const glm::dvec4& total = sums.back();
   const double color = std::max({ total.x, total.y, total.z });
   function.PrefixColorUnit = color / LargestUnits;
   function.PrefixExtinctionUnit = total.w / LargestUnits;
+  Raise(means, function.PrefixExtinctionUnit);
   const double perColor = color > 0.0 ? LargestUnits / color : 0.0;
   const double perExtinction = total.w > 0.0 ? LargestUnits / total.w : 0.0;
   const glm::dvec4 scale(perColor, perColor, perColor, perExtinction);
-  std::vector<glm::ivec4> prefix = Raised(sums, means, scale);
+  std::vector<glm::ivec4> prefix(means.size() + 1);
+  glm::dvec4 sum(0.0);
   for (std::size_t i = 0; i < means.size(); ++i)
   {
     prefix[i].x = (prefix[i].x & ~1) | (IsCoarse(function, i, means[i].w) ? 1 : 0);
+    sum += means[i];
+    prefix[i + 1] = glm::ivec4(glm::round(scale * sum));
   }
   function.Prefix = std::make_shared<const std::vector<glm::ivec4>>(std::move(prefix));
 }

@@ -24,7 +24,7 @@ struct TableSizes
 
 /// Samples the functions of component 0 over the part of `dataRange` in which they change; values
 /// outside that part take the value at its ends. The table is as fine as the closest two knots
-/// ask for, between 1024 and `sizes.Largest` entries, unless `sizes.Fixed` says how fine.
+/// ask for, between 4096 and `sizes.Largest` entries, unless `sizes.Fixed` says how fine.
 /// `colorRange` is that of the component that gives the colour, if that is another: a table over
 /// both ranges would have no entries to spare for the shorter. Null: colour goes by `dataRange`.
 /// The gradient opacity, if the property has one, becomes a table of its own.
