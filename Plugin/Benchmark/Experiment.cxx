@@ -19,11 +19,12 @@ namespace volumebench
 {
 namespace
 {
-constexpr int FramesPerBlock = 3;   // short, so that slow runs are interleaved too
-constexpr unsigned Seed = 20260101; // fixed: the order of runs is part of the method
-constexpr int ReferenceShrink = 8;  // the reference is checked on a picture this much smaller
-constexpr int StageFrames = 5;      // drawn after the timed ones, to split a frame into stages
-constexpr int FineSteps = 1;        // of ReferenceNames
+constexpr int FramesPerBlock = 3;      // short, so that slow runs are interleaved too
+constexpr unsigned Seed = 20260101;    // fixed: the order of runs is part of the method
+constexpr int ReferenceShrink = 8;     // the reference is checked on a picture this much smaller
+constexpr int LargestCheckedSide = 24; // and its longer side no longer than this: pixels
+constexpr int StageFrames = 5;         // drawn after the timed ones, to split a frame into stages
+constexpr int FineSteps = 1;           // of ReferenceNames
 constexpr const char* ReferencePicture = "reference.rgba32f";
 
 class Laboratory
@@ -235,8 +236,10 @@ private:
 
   double ReferenceUncertainty(vtkVolumeBenchMapper& mapper)
   {
-    this->Scene.Resize(std::max(1, this->ErrorWidth() / ReferenceShrink),
-      std::max(1, this->ErrorHeight() / ReferenceShrink));
+    const int shrink = std::max(
+      ReferenceShrink, std::max(this->ErrorWidth(), this->ErrorHeight()) / LargestCheckedSide);
+    this->Scene.Resize(
+      std::max(1, this->ErrorWidth() / shrink), std::max(1, this->ErrorHeight() / shrink));
     this->PlaceFrame(this->ErrorFrame(0));
     const FloatPicture reference = this->Scene.Picture();
     // The finest of the three steps that the check extrapolates from is the reference step.

@@ -18,7 +18,7 @@ SAMPLE_INTEGRATORS = ("Midpoint", "Segment")
 SAMPLE_BAR = 1 / 2  # in every scene
 SAMPLE_MEAN_BAR = 1 / 3  # in the geometric mean
 EXPECTED_ORDERS = {"Left": 1, "Midpoint": 2, "Segment": 2, "PreIntegrated": 2}
-ORDER_TOLERANCE = 0.3
+ORDER_TOLERANCE = 0.2
 FLAT_ORDER = 0.5
 NEVER_STOPPING = {"termination_threshold": 0}
 LARGEST_ORDER_STEP = 1.0  # voxels: beyond it there is no trend yet
@@ -158,6 +158,7 @@ class Order:
     """How fast the error of an integrator falls with its step in a scene."""
 
     scene: Scene
+    technique: str
     integrator: str
     order: float
     steps: tuple[float, ...]
@@ -177,7 +178,7 @@ class Order:
 
 
 def orders(records: list[Record]) -> list[Order]:
-    """Return the orders of single pass, from steps up to a voxel whose errors can be trusted.
+    """Return the orders of each technique, from steps up to a voxel whose errors can be trusted.
 
     Each is the slope of a straight line through at least three points in log-log: of rays that
     never stop early, where these were measured, since what a ray leaves out has no order.
@@ -189,8 +190,8 @@ def orders(records: list[Record]) -> list[Order]:
             for point in points_of(in_scene(records, scene))
             if _has_order(point.record)
         ]
-        for integrator in dict.fromkeys(row.integrator for row in rows):
-            own = [row for row in rows if row.integrator == integrator]
+        for method in dict.fromkeys((row.technique, row.integrator) for row in rows):
+            own = [row for row in rows if (row.technique, row.integrator) == method]
             stopping = not any(row.settings for row in own)
             curve = {
                 row.step_voxels: row.error.rmse
@@ -199,14 +200,14 @@ def orders(records: list[Record]) -> list[Order]:
             }
             if len(curve) > 2:
                 steps = tuple(sorted(curve))
-                order = Order(scene, integrator, _slope(curve), steps, stopping)
+                order = Order(scene, *method, _slope(curve), steps, stopping)
                 result.append(order)
     return result
 
 
 def _has_order(row: Record) -> bool:
     return (
-        row.technique == REFERENCE_TECHNIQUE
+        row.integrator in EXPECTED_ORDERS
         and row.path == ENGINE
         and row.settings in ({}, NEVER_STOPPING)
         and row.step_voxels <= LARGEST_ORDER_STEP

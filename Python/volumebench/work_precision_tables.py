@@ -67,15 +67,16 @@ def _factor(item: EqualError | None) -> str:
 def order_table(records: list[Record]) -> Table | None:
     """Return the measured order of convergence of each integrator in each scene."""
     rows = tuple(_order_row(item) for item in orders(records))
-    header = ("scene", "integrator", "cause, where it is low", "steps")
+    header = ("scene", "technique", "integrator", "cause, where it is low", "steps")
     header += ("order", "for smooth data")
-    title = "Order of convergence of Single Pass"
-    return Table(title, header, rows, 4) if rows else None
+    title = "Order of convergence"
+    return Table(title, header, rows, 5) if rows else None
 
 
 def _order_row(item: Order) -> tuple[str, ...]:
     return (
         item.scene.title(),
+        TECHNIQUES[item.technique].title,
         item.integrator,
         _cause(item) if item.is_low() else "",
         f"{max(item.steps):g} to {min(item.steps):g}",

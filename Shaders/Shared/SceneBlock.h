@@ -48,7 +48,8 @@ SCENE_BLOCK_BEGIN
   vec4 segments;        // x, y: the same for a coordinate of the pre-integrated table
   vec4 prefix;          // x, y: scale and offset from a stored value to a cell of the table of prefix
                         // integrals; z: its last cell; w: cells below which values are close
-  vec4 prefixUnits;     // extinction, x: times colour, y: alone, per unit of that table
+  vec4 prefixUnits;     // extinction, x: times colour, y: alone, per unit of that table; z: units
+                        // below which the colour is taken from the ends of a step
   vec4 extremes;        // x, y: stored values at which Minimum and Maximum stop; z: 1 / their span
   vec4 gradientX;       // xyz: first row of the matrix from differences to gradients in data units
   vec4 gradientY;       // xyz: second row

@@ -13,11 +13,6 @@
 // sums elsewhere. Between two of them the integral is linear, which is not enough where the field
 // changes by less than that: there the function's own table speaks, unless that is too coarse, which
 // is marked in the last bit of a cell's first integral.
-#if WITH_SEGMENT
-// Below this many units a difference of prefix integrals has too few digits for a colour.
-#define FEWEST_UNITS REAL(131072.0)
-#endif
-
 // The field at an end of a step, or of its half, as the integrator needs it.
 STRUCT(StepEnd)
 {
@@ -137,7 +132,7 @@ FUNC vec4 classifyBetween(SCENE_PARAM StepEnd front, StepEnd back, real stepLeng
   vec3 last = xyz(back.seen);
   real cells = fabs(back.value - front.value) * scene.prefix.x;
   bool narrow = cells < scene.prefix.w && ((front.before.x | back.before.x) & 1) == 0;
-  bool few = narrow || mean.w * max(REAL(1.0), cells) < FEWEST_UNITS;
+  bool few = narrow || mean.w * max(REAL(1.0), cells) < scene.prefixUnits.z;
   real extinction =
     narrow ? REAL(0.5) * (front.seen.w + back.seen.w) : mean.w * scene.prefixUnits.y;
   real toColor = scene.prefixUnits.x / (mean.w * scene.prefixUnits.y);

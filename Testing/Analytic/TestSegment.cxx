@@ -75,8 +75,8 @@ TransferFunction Linear(double tau, double c0, double c1)
       scene.sampling = space::vec4(Real(step), 1, 0, 0);                                           \
       scene.prefix =                                                                               \
         space::vec4(Real(perValue), Real(1.0 - function.Low * perValue), Real(size), 2);           \
-      scene.prefixUnits =                                                                          \
-        space::vec4(Real(function.PrefixColorUnit), Real(function.PrefixExtinctionUnit), 0, 0);    \
+      scene.prefixUnits = space::vec4(Real(function.PrefixColorUnit),                              \
+        Real(function.PrefixExtinctionUnit), Real(function.OneColor ? 1e30 : 32768.0), 0);         \
       scene.classification = space::vec4(1, 0, 0, 0);                                              \
       scene.field = [&](space::vec3 position) { return Real(field(position.x)); };                 \
       scene.table = [&](Real value)                                                                \

@@ -242,4 +242,4 @@ def test_error_vs_time_covers_what_it_is_for():
     assert (max(steps), min(steps)) == (4, 1 / 64)
     assert study.timing.minimum_frames >= 10
     data = {dataset.name for dataset in study.quick().datasets}
-    assert data == {"waves", "lemniscate"}, "quick needs no data"
+    assert data == {"waves", "lemniscate", "mri"}, "quick needs no --data"

@@ -187,19 +187,27 @@ def test_order_is_the_slope_over_small_steps():
     assert found["Left"].order == pytest.approx(1)
     assert found["Segment"].order == pytest.approx(1.5)
     assert [name for name, item in found.items() if item.is_low()] == ["Segment"]
-    rows = {cells[1]: cells for cells in order_table(records).rows}
-    assert "stop early" in rows["Segment"][2] and rows["Midpoint"][2] == ""
+    rows = {cells[2]: cells for cells in order_table(records).rows}
+    assert "stop early" in rows["Segment"][3] and rows["Midpoint"][3] == ""
 
 
 def test_order_is_that_of_rays_that_never_stop():
     never = sweep(1.4, "Midpoint", settings=(("termination_threshold", 0),))
     (found,) = orders(sweep(0.1, "Midpoint") + never)
     assert found.order == pytest.approx(1.4) and not found.stopping
-    assert "kinks" in order_table(never).rows[0][2]
+    assert "kinks" in order_table(never).rows[0][3]
     flat = sweep(0.2, "Segment", settings=(("termination_threshold", 0),))
-    assert "hardly matters" in order_table(flat).rows[0][2]
+    assert "hardly matters" in order_table(flat).rows[0][3]
     other = sweep(2, "Midpoint", settings=(("table_size", 64),))
     assert orders(other) == []
+
+
+def test_each_technique_has_an_order_of_its_own():
+    records = sweep(2, "Midpoint")
+    for record in sweep(1, "Midpoint"):
+        records.append(replace(record, technique="compute"))
+    found = {item.technique: item.order for item in orders(records)}
+    assert found == {"single-pass": pytest.approx(2), "compute": pytest.approx(1)}
 
 
 def test_orders_need_errors_that_can_be_trusted():

@@ -149,15 +149,34 @@ glm::dvec4 Projected(const ReferenceScene& scene, const shared64::Ray& ray,
 }
 }
 
+namespace
+{
+double LargestDifference(const glm::dvec4& a, const glm::dvec4& b)
+{
+  const glm::dvec4 difference = glm::abs(a - b);
+  return std::max({ difference.x, difference.y, difference.z, difference.w });
+}
+}
+
 MidpointRay CastMidpoint(const ReferenceScene& scene, const shared64::Ray& ray,
-  const VisibleParts& visible, double stepVoxels)
+  const VisibleParts& visible, const MidpointSteps& steps)
 {
   const bool composites = scene.Mode == BlendMode::Composite || scene.Mode == BlendMode::Gradient;
   const auto cast = composites ? Composited : Projected;
   MidpointRay result;
-  result.Whole = cast(scene, ray, visible, stepVoxels, result.Evaluations);
-  result.Half = cast(scene, ray, visible, 0.5 * stepVoxels, result.Evaluations);
-  result.Quarter = cast(scene, ray, visible, 0.25 * stepVoxels, result.Evaluations);
+  double finest = 0.25 * steps.Largest;
+  result.Whole = cast(scene, ray, visible, 4.0 * finest, result.Evaluations);
+  result.Half = cast(scene, ray, visible, 2.0 * finest, result.Evaluations);
+  result.Quarter = cast(scene, ray, visible, finest, result.Evaluations);
+  while (composites && 0.5 * finest >= steps.Smallest &&
+    (LargestDifference(result.Half, result.Quarter) > steps.Tolerance ||
+      LargestDifference(result.Whole, result.Half) > 8.0 * steps.Tolerance))
+  {
+    finest *= 0.5;
+    result.Whole = result.Half;
+    result.Half = result.Quarter;
+    result.Quarter = cast(scene, ray, visible, finest, result.Evaluations);
+  }
   return result;
 }
 }

@@ -12,7 +12,7 @@
 
 namespace volumebench
 {
-/// A ray at three step sizes: h, h / 2 and h / 4.
+/// A ray at its three finest step sizes: h, h / 2 and h / 4.
 struct MidpointRay
 {
   glm::dvec4 Whole{ 0.0 };
@@ -24,9 +24,18 @@ struct MidpointRay
   glm::dvec4 Extrapolated() const { return this->Quarter + (this->Quarter - this->Half) / 3.0; }
 };
 
-/// `stepVoxels` is h. Maximum and Minimum have no order: they take the extreme of all samples.
+struct MidpointSteps
+{
+  double Largest = 1.0 / 64.0;     // voxels: h where that is fine enough
+  double Smallest = 1.0 / 65536.0; // of the finest step, however far it is from enough
+  double Tolerance = 3.0e-7;       // by which the two finest may differ in a channel
+};
+
+/// Halves h until the two finest steps agree, and those before them to eight times as much: peaks
+/// of a function that no step meets would let any two agree by chance. Maximum and Minimum have no
+/// order: they take the extreme of all samples.
 MidpointRay CastMidpoint(const ReferenceScene& scene, const shared64::Ray& ray,
-  const VisibleParts& visible, double stepVoxels);
+  const VisibleParts& visible, const MidpointSteps& steps);
 }
 
 #endif

@@ -102,7 +102,8 @@ private:
     const VisibleParts visible = this->Read.VisiblePartsOf(ray, this->DepthAt(pixel));
     const ReferenceRay cast = this->Options.Method == ReferenceMethod::CellExact
       ? CastCellExact(this->Read, ray, visible, this->Options.Tolerance)
-      : this->Extrapolate(CastMidpoint(this->Read, ray, visible, this->Options.StepVoxels), sums);
+      : this->Extrapolate(
+          CastMidpoint(this->Read, ray, visible, { this->Options.StepVoxels }), sums);
     sums.LargestBound = std::max(sums.LargestBound, cast.Bound);
     sums.Evaluations += cast.Evaluations;
     return this->Source.Measurement.CountSamples

@@ -19,7 +19,7 @@ struct ReferenceOptions
 {
   ReferenceMethod Method = ReferenceMethod::CellExact;
   double Tolerance = 1.0e-9;      // CellExact: estimated error that a ray may have
-  double StepVoxels = 1.0 / 64.0; // Midpoint: the largest of its three steps
+  double StepVoxels = 1.0 / 64.0; // Midpoint: the largest of its steps
   int PixelsPerRay = 1;           // of each axis; more draws a coarse picture
 };
 

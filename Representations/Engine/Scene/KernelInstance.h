@@ -49,7 +49,6 @@ using real = KERNEL_REAL;
 #undef EXTREME_OF_ENDS
 #undef BETWEEN_ENDS
 #undef SAMPLES_OF_STEP
-#undef FEWEST_UNITS
 
 // Every feature of Scene/Features.cxx; the Kernels tests notice one that is missing here.
 #undef WITH_MIDPOINT

@@ -186,6 +186,9 @@ glm::dvec2 TableCoordinates(double low, double high, double size)
 // Steps that pass through fewer cells of the prefix integrals than these take the table's values.
 constexpr double CloseCells = 2.0;
 
+// A difference of fewer units of the prefix integrals has too few digits for a colour.
+constexpr double FewestUnits = 32768.0;
+
 void PackTable(const Scene& scene, SceneBlock64& block)
 {
   const TransferFunction& function = scene.TransferFunction;
@@ -200,7 +203,8 @@ void PackTable(const Scene& scene, SceneBlock64& block)
   // Entry 0 of the table is entry 1 of its prefix integrals.
   const double perValue = high > low ? (size - 1.0) / (high - low) : 0.0;
   block.prefix = { perValue, 1.0 - low * perValue, size, CloseCells };
-  block.prefixUnits = { function.PrefixColorUnit, function.PrefixExtinctionUnit, 0.0, 0.0 };
+  block.prefixUnits = { function.PrefixColorUnit, function.PrefixExtinctionUnit,
+    function.OneColor ? 1.0e30 : FewestUnits, 0.0 };
   block.segments = { TableCoordinates(low, high, std::max(1, function.SegmentSize)), 0.0, 0.0 };
 }
 

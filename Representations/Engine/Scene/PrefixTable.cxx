@@ -29,6 +29,18 @@ void Raise(std::vector<glm::dvec4>& means, double unit)
   }
 }
 
+bool HaveOneColor(const std::vector<glm::dvec4>& means, const glm::dvec4& total)
+{
+  constexpr double Rounding = 1.0e-9;
+  const glm::dvec3 color = glm::dvec3(total) / std::max(total.w, 1.0e-300);
+  return std::all_of(means.begin(), means.end(),
+    [&color](const glm::dvec4& mean)
+    {
+      const glm::dvec3 off = glm::abs(glm::dvec3(mean) - mean.w * color);
+      return std::max({ off.x, off.y, off.z }) <= Rounding * mean.w;
+    });
+}
+
 // Whether a straight line between two entries of the table is far from what lies between them.
 bool IsCoarse(const TransferFunction& function, std::size_t entry, double mean)
 {
@@ -86,6 +98,7 @@ void BuildPrefixTable(TransferFunction& function)
     function.MaximumExtinction = std::max(function.MaximumExtinction, mean.w);
     total += mean;
   }
+  function.OneColor = HaveOneColor(means, total);
   const double color = std::max({ total.x, total.y, total.z });
   function.PrefixColorUnit = color / LargestUnits;
   function.PrefixExtinctionUnit = total.w / LargestUnits;

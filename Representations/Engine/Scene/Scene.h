@@ -118,6 +118,7 @@ struct TransferFunction
   std::shared_ptr<const std::vector<glm::ivec4>> Prefix;
   double PrefixColorUnit = 0.0;      // extinction times colour per unit and entry
   double PrefixExtinctionUnit = 0.0; // extinction per unit and entry
+  bool OneColor = false;             // all that is seen has the same colour
 
   /// Factor of the extinction by gradient magnitude from GradientLow to GradientHigh (data units);
   /// empty without gradient opacity.
