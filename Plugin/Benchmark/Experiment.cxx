@@ -22,7 +22,7 @@ namespace
 constexpr int FramesPerBlock = 3;      // short, so that slow runs are interleaved too
 constexpr unsigned Seed = 20260101;    // fixed: the order of runs is part of the method
 constexpr int ReferenceShrink = 8;     // the reference is checked on a picture this much smaller
-constexpr int LargestCheckedSide = 24; // and its longer side no longer than this: pixels
+constexpr int LargestCheckedSide = 12; // and its longer side no longer than this: pixels
 constexpr int StageFrames = 5;         // drawn after the timed ones, to split a frame into stages
 constexpr int FineSteps = 1;           // of ReferenceNames
 constexpr const char* ReferencePicture = "reference.rgba32f";

@@ -1,11 +1,11 @@
 #include "Gpu/VolumeUpload.h"
 
+#include "AllCores.h"
 #include "Scene/FromVtk.h"
 
 #include "vtkArrayDispatch.h"
 #include "vtkDataArray.h"
 #include "vtkDataArrayRange.h"
-#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <cmath>
@@ -42,7 +42,7 @@ struct ConvertWorker
   void operator()(Array* array, const Volume& volume, vtkIdType firstTuple, unsigned char* texels,
     vtkIdType count)
   {
-    vtkSMPTools::For(0, count,
+    ForOnAllCores(0, count, 0,
       [&](vtkIdType begin, vtkIdType end)
       {
         vtkIdType i = begin * volume.Channels;

@@ -1,10 +1,10 @@
 #include "Reference/ExactField.h"
 
+#include "AllCores.h"
 #include "Scene/FromVtk.h"
 
 #include "vtkArrayDispatch.h"
 #include "vtkDataArrayRange.h"
-#include "vtkSMPTools.h"
 
 #include <glm/common.hpp>
 
@@ -21,7 +21,7 @@ struct FillWorker
   template <typename Array, typename Store>
   void operator()(Array* array, const Volume& volume, const Store& store) const
   {
-    vtkSMPTools::For(0, array->GetNumberOfTuples(),
+    ForOnAllCores(0, array->GetNumberOfTuples(), 0,
       [&](vtkIdType begin, vtkIdType end)
       {
         vtkIdType index = begin;

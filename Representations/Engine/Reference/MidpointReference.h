@@ -26,9 +26,9 @@ struct MidpointRay
 
 struct MidpointSteps
 {
-  double Largest = 1.0 / 64.0;     // voxels: h where that is fine enough
-  double Smallest = 1.0 / 65536.0; // of the finest step, however far it is from enough
-  double Tolerance = 3.0e-7;       // by which the two finest may differ in a channel
+  double Largest = 1.0 / 64.0;   // voxels: h where that is fine enough
+  double Smallest = 1.0 / 512.0; // of the finest step, however far it is from enough
+  double Tolerance = 3.0e-7;     // by which the two finest may differ in a channel
 };
 
 /// Halves h until the two finest steps agree, and those before them to eight times as much: peaks

@@ -1,11 +1,10 @@
 #include "Reference/ReferenceRenderer.h"
 
+#include "AllCores.h"
 #include "Reference/CellExact.h"
 #include "Reference/MidpointReference.h"
 #include "Reference/ReferenceScene.h"
 #include "Scene/PackScene.h"
-
-#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <cmath>
@@ -176,7 +175,7 @@ ReferencePicture ReferenceRenderer::Render(const Scene& scene, const ReferenceOp
   for (int first = 0; first < tiles; first += TilesPerBand)
   {
     const int end = std::min(first + TilesPerBand, tiles);
-    vtkSMPTools::For(first, end, 1,
+    ForOnAllCores(first, end, 1,
       [&painter](vtkIdType begin, vtkIdType last)
       {
         for (vtkIdType tile = begin; tile < last; ++tile)

@@ -1,8 +1,7 @@
 #include "Scene/PrefixTable.h"
 
+#include "AllCores.h"
 #include "Scene/ExactTransferFunction.h"
-
-#include "vtkSMPTools.h"
 
 #include <glm/common.hpp>
 #include <glm/vec3.hpp>
@@ -73,7 +72,7 @@ std::vector<glm::dvec4> EntryMeans(const TransferFunction& function)
       const double share = static_cast<double>(entry) / static_cast<double>(inside);
       return (1.0 - share) * function.Low + share * function.High;
     };
-    vtkSMPTools::For(0, inside,
+    ForOnAllCores(0, inside, 0,
       [&](vtkIdType begin, vtkIdType end)
       {
         for (vtkIdType entry = begin; entry < end; ++entry)
