@@ -2,7 +2,7 @@
 // Each step is the exact exponential of an extinction times the step's length, so that opacity stays
 // in [0, 1] for any extinction. Left samples where a step begins (first order, as VTK does), Midpoint
 // in its middle (second order), Segment and PreIntegrated take the mean over all values between its
-// two ends (second order, and exact for any transfer function along a linear field): Segment from
+// two ends (second order or better, and exact for any function along a linear field): Segment from
 // prefix integrals, PreIntegrated from a table over both values. Etiene et al., TVCG 2014, give the
 // orders.
 

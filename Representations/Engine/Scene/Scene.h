@@ -142,7 +142,7 @@ enum class Integrator
 {
   Left = 0,         // sample at the beginning of a step, first order (as VTK's mapper)
   Midpoint = 1,     // sample in its middle, second order
-  Segment = 2,      // prefix integrals between its ends, second order, exact for narrow peaks
+  Segment = 2,      // prefix integrals between its ends, second order or better, exact for narrow peaks
   PreIntegrated = 3 // table over the values at both ends of a step
 };
 
