@@ -108,7 +108,7 @@ struct TransferFunction
   std::shared_ptr<const ExactTransferFunction> Exact;
 
   /// For PreIntegrated: SegmentSize x SegmentSize entries over (front, back) from Low to High; row
-  /// by row of back. Null unless the scene needs it.
+  /// by row of back, as SegmentTable makes them. Null unless the scene needs it.
   std::shared_ptr<const std::vector<glm::vec4>> Segments;
   int SegmentSize = 0;
 

@@ -5,7 +5,6 @@
 #include "Scene/KernelScene.h"
 #include "Scene/Features.h"
 #include "Scene/PrefixTable.h"
-#include "Scene/SegmentTable.h"
 #include "Scene/WorkGroup.h"
 #include "Scene/TransferFunctionTable.h"
 #include "vtkVolumeBenchMapper.h"
@@ -189,7 +188,6 @@ double MeanEdge(const Volume& volume)
 // `largestTable` holds for the prefix integrals too, which have two entries more.
 void SceneBuilder::BuildFunction(vtkVolumeProperty* property, Scene& scene, int largestTable)
 {
-  constexpr int SegmentSize = 512;
   const bool prefix = Has(FeaturesNeededBy(scene), Feature::Segment);
   const bool segments = Has(FeaturesNeededBy(scene), Feature::PreIntegrated);
   const double length = scene.Sampling.StepVoxels * MeanEdge(scene.Volume);
@@ -215,10 +213,12 @@ void SceneBuilder::BuildFunction(vtkVolumeProperty* property, Scene& scene, int 
     }
     if (segments)
     {
-      this->Function.SegmentSize = SegmentSize;
-      this->Function.Segments = std::make_shared<const std::vector<glm::vec4>>(
-        BuildSegmentTable(this->Function, length, SegmentSize));
+      const double perVoxel = std::max(1.0, 1.0 / scene.Sampling.StepVoxels);
+      this->Segments.Build(this->Function, { length, perVoxel });
+      this->Function.SegmentSize = this->Segments.GetSize();
+      this->Function.Segments = this->Segments.GetEntries();
       ExtendStamp(this->Function.Stamp, length);
+      ExtendStamp(this->Function.Stamp, perVoxel);
     }
     this->FunctionStamp = stamp;
   }

@@ -6,6 +6,7 @@
 #include "VolumeBenchEngineModule.h"
 
 #include "Scene/Scene.h"
+#include "Scene/SegmentTable.h"
 #include "Scene/VolumeBuilder.h"
 
 class vtkImageData;
@@ -48,6 +49,7 @@ private:
   VolumeBuilder Volumes;
   TransferFunction Function; // kept while its sources are unchanged
   ChangeStamp FunctionStamp = 0;
+  SegmentTable Segments; // of Function
 };
 }
 

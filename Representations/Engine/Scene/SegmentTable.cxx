@@ -5,132 +5,208 @@
 #include <glm/common.hpp>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <numeric>
 
 namespace volumebench
 {
 namespace
 {
-// Into which a segment is cut to attenuate its colour: what is neglected within a part shrinks with
-// the square of its depth, so thin segments need few.
-constexpr int FewestParts = 4;
-constexpr int MostParts = 64;
-constexpr double PartsPerDepth = 128.0;
-
-// Integrals of extinction and of colour times extinction along a table whose entries are joined by
-// straight lines, from its first entry to any point (in entries).
-class PrefixIntegrals
+// What a segment adds to its ray: premultiplied colour and opacity.
+glm::dvec4 Contribution(const glm::dvec4& entry, double length)
 {
-public:
-  explicit PrefixIntegrals(const std::vector<glm::vec4>& table)
-    : Table(table)
-    , Sums(table.size(), glm::dvec4(0.0))
+  const double opacity = -std::expm1(-entry.w * length);
+  return { opacity * glm::dvec3(entry), opacity };
+}
+
+double Difference(const glm::dvec4& filtered, const glm::dvec4& exact, const SegmentStep& step)
+{
+  const glm::dvec4 apart =
+    glm::abs(Contribution(filtered, step.Length) - Contribution(exact, step.Length));
+  return step.PerVoxel * std::max({ apart.x, apart.y, apart.z, apart.w });
+}
+
+// Segments from one node of the table, from the next, and from the middle between them.
+struct Rows
+{
+  SegmentRow Low;
+  SegmentRow High;
+  SegmentRow Middle;
+  int Stride;
+
+  Rows(const std::vector<SegmentCell>& cells, int stride, double length)
+    : Low(cells, stride, length)
+    , High(cells, stride, length)
+    , Middle(cells, stride / 2, length)
+    , Stride(stride)
   {
-    for (std::size_t i = 1; i < table.size(); ++i)
-    {
-      this->Sums[i] = this->Sums[i - 1] + Between(table[i - 1], table[i]);
-    }
   }
 
-  /// xyz: colour times extinction, w: extinction.
-  glm::dvec4 Until(double entry) const
+  void Start(int node, int last)
   {
-    const auto below = static_cast<std::size_t>(
-      std::clamp(std::floor(entry), 0.0, std::max(0.0, static_cast<double>(Table.size()) - 2.0)));
-    const double share = entry - static_cast<double>(below);
-    return this->Sums[below] + share * Between(this->Table[below], this->At(entry));
+    this->Low.Start(node, last);
+    this->High.Start(node + this->Stride, last);
+    this->Middle.Start(node + this->Stride / 2, last);
   }
 
-  glm::dvec4 At(double entry) const
+  // What filtering makes of the square from these rows and from column `node` on, less what is
+  // there, in its middle.
+  double ErrorAt(int node, bool diagonal, const SegmentStep& step) const
   {
-    const auto below = static_cast<std::size_t>(
-      std::clamp(std::floor(entry), 0.0, std::max(0.0, static_cast<double>(Table.size()) - 2.0)));
-    const std::size_t above = std::min(below + 1, this->Table.size() - 1);
-    return glm::mix(glm::dvec4(this->Table[below]), glm::dvec4(this->Table[above]),
-      entry - static_cast<double>(below));
+    const SegmentPair exact = this->Middle.To(node + this->Stride / 2);
+    const SegmentPair a = this->Low.To(node);
+    const SegmentPair b = this->Low.To(node + this->Stride);
+    const SegmentPair d = this->High.To(node + this->Stride);
+    // Below the diagonal is what is above it, seen from its other end.
+    const SegmentPair c = diagonal ? SegmentPair{ b.Falling, b.Rising } : this->High.To(node);
+    return std::max(
+      Difference(0.25 * (a.Rising + b.Rising + c.Rising + d.Rising), exact.Rising, step),
+      Difference(0.25 * (a.Falling + b.Falling + c.Falling + d.Falling), exact.Falling, step));
   }
-
-private:
-  // The integral over an interval of length 1 at whose ends the table has these entries.
-  static glm::dvec4 Between(const glm::dvec4& a, const glm::dvec4& b)
-  {
-    const glm::dvec3 product =
-      (a.w * (2.0 * glm::dvec3(a) + glm::dvec3(b)) + b.w * (glm::dvec3(a) + 2.0 * glm::dvec3(b))) /
-      6.0;
-    return { product, 0.5 * (a.w + b.w) };
-  }
-
-  const std::vector<glm::vec4>& Table;
-  std::vector<glm::dvec4> Sums;
 };
 
-int PartsOf(double span, double depth)
+// A table's cells are cut further, so that its entries hold what happens within them.
+int StrideOf(int size)
 {
-  const double most = std::min<double>(MostParts, std::ceil(std::abs(span)));
-  return std::max(
-    1, static_cast<int>(std::min(most, std::max<double>(FewestParts, PartsPerDepth * depth))));
+  const int count = size - 1;
+  return 2 * ((SegmentTable::LargestSize - 1 + count - 1) / count);
 }
 
-// Colour of a segment, attenuated from part to part; `whole` holds its means.
-glm::dvec3 AttenuatedColor(const PrefixIntegrals& integrals, double front, double span,
-  double length, const glm::dvec4& whole)
+// The size that the functions ask for; `cells` are those of any of the sizes to choose from.
+int ChooseSize(const std::vector<SegmentCell>& cells, const SegmentStep& step)
 {
-  const int parts = PartsOf(span, whole.w * length);
-  glm::dvec3 color(0.0);
-  double passing = 1.0;
-  glm::dvec4 before = integrals.Until(front);
-  for (int i = 1; i <= parts; ++i)
+  int size = SegmentTable::SmallestSize;
+  while (size < SegmentTable::LargestSize &&
+    FilteringError(cells, StrideOf(size), step, SegmentTable::Tolerance) > SegmentTable::Tolerance)
   {
-    const glm::dvec4 here = integrals.Until(front + span * i / parts);
-    const glm::dvec4 part = (here - before) / span;
-    before = here;
-    if (part.w > 0.0)
+    size = 2 * size - 1;
+  }
+  return size;
+}
+
+// For each node of the table the first changed one of its cells above it, of `stride` each; the
+// number of its cells where there is none.
+std::vector<int> NextChanges(
+  const std::vector<SegmentCell>& before, const std::vector<SegmentCell>& now, int stride)
+{
+  const int count = static_cast<int>(now.size()) / stride;
+  std::vector<int> next(count + 1, count);
+  for (int i = count; i-- > 0;)
+  {
+    const auto begin = now.begin() + static_cast<std::ptrdiff_t>(i) * stride;
+    const bool same =
+      std::equal(begin, begin + stride, before.begin() + static_cast<std::ptrdiff_t>(i) * stride);
+    next[i] = same ? next[i + 1] : i;
+  }
+  return next;
+}
+
+// A table in the making.
+struct Making
+{
+  std::vector<glm::vec4>& Entries;
+  const std::vector<int>& Next; // of NextChanges
+  int Stride;
+
+  glm::vec4& At(int front, int back) const
+  {
+    return this->Entries[static_cast<std::size_t>(back) * this->Next.size() + front];
+  }
+
+  // Makes those entries of the row and the column of one node that lie on and above the diagonal
+  // and between whose values a cell has changed; returns how many.
+  std::size_t Make(SegmentRow& row, int node) const
+  {
+    const auto size = static_cast<int>(this->Next.size());
+    const int next = this->Next[node];
+    const bool changedBelow = node > 0 && this->Next[node - 1] == node - 1;
+    const int last = next < size - 1 ? size - 1 : node;
+    std::size_t made = 0;
+    row.Start(node * this->Stride, last * this->Stride);
+    if (changedBelow || next == node)
     {
-      const double opacity = -std::expm1(-part.w * length);
-      color += passing * opacity * glm::dvec3(part) / part.w;
-      passing *= 1.0 - opacity;
+      this->At(node, node) = row.To(node * this->Stride).Rising;
+      ++made;
     }
+    for (int other = next + 1; other <= last; ++other)
+    {
+      const SegmentPair pair = row.To(other * this->Stride);
+      this->At(node, other) = pair.Rising;
+      this->At(other, node) = pair.Falling;
+      made += 2;
+    }
+    return made;
   }
-  // Where the segment is so thin that its opacity has no digits, attenuation plays no part.
-  const double opacity = 1.0 - passing;
-  return opacity > 1.0e-8 ? color / opacity : glm::dvec3(whole) / whole.w;
-}
+};
 
-glm::dvec4 SegmentOf(const PrefixIntegrals& integrals, double front, double back, double length)
+// Returns how many entries it has made.
+std::size_t MakeAll(const Making& making, const std::vector<SegmentCell>& cells, double length)
 {
-  const double span = back - front;
-  const glm::dvec4 middle = integrals.At(0.5 * (front + back));
-  // Below this the difference of two prefix sums has no digits left.
-  if (std::abs(span) < 1.0e-6)
-  {
-    return middle;
-  }
-  const glm::dvec4 whole = (integrals.Until(back) - integrals.Until(front)) / span;
-  if (!(whole.w > 0.0))
-  {
-    return { glm::dvec3(middle), 0.0 };
-  }
-  return { AttenuatedColor(integrals, front, span, length, whole), whole.w };
-}
-}
-
-std::vector<glm::vec4> BuildSegmentTable(const TransferFunction& function, double length, int size)
-{
-  const PrefixIntegrals integrals(function.Table);
-  const double perCell = (static_cast<double>(function.Table.size()) - 1.0) / (size - 1.0);
-  std::vector<glm::vec4> table(static_cast<std::size_t>(size) * size);
-  vtkSMPTools::For(0, size,
+  const auto size = static_cast<int>(making.Next.size());
+  std::atomic<std::size_t> made{ 0 };
+  // The first rows are the longest: each goes with one of the last, so that cores share alike.
+  vtkSMPTools::For(0, (size + 1) / 2,
     [&](vtkIdType begin, vtkIdType end)
     {
-      for (vtkIdType back = begin; back < end; ++back)
+      SegmentRow row(cells, making.Stride, length);
+      std::size_t some = 0;
+      for (auto i = static_cast<int>(begin); i < static_cast<int>(end); ++i)
       {
-        for (int front = 0; front < size; ++front)
-        {
-          table[back * size + front] = glm::vec4(
-            SegmentOf(integrals, front * perCell, static_cast<double>(back) * perCell, length));
-        }
+        const int partner = size - 1 - i;
+        some += making.Make(row, i);
+        some += partner > i ? making.Make(row, partner) : 0;
       }
+      made += some;
     });
-  return table;
+  return made;
+}
+}
+
+double FilteringError(
+  const std::vector<SegmentCell>& cells, int stride, const SegmentStep& step, double enough)
+{
+  const auto count = static_cast<int>(cells.size());
+  Rows rows(cells, stride, step.Length);
+  double worst = 0.0;
+  for (int node = 0; node < count && worst <= enough; node += stride)
+  {
+    rows.Start(node, count);
+    for (int offset = 0; node + offset < count; offset = std::max(stride, 2 * offset))
+    {
+      worst = std::max(worst, rows.ErrorAt(node + offset, offset == 0, step));
+    }
+  }
+  return worst;
+}
+
+void SegmentTable::Build(const TransferFunction& function, const SegmentStep& step, int fixedSize)
+{
+  const int largest = fixedSize == 0 ? LargestSize : fixedSize;
+  std::vector<SegmentCell> cells = SegmentCellsOf(function, (largest - 1) * StrideOf(largest));
+  const int size = fixedSize == 0 ? ChooseSize(cells, step) : fixedSize;
+  const int stride = StrideOf(size);
+  const bool known = this->Entries && this->Size == size && this->Length == step.Length &&
+    this->Low == function.Low && this->High == function.High;
+  std::vector<int> next(size);
+  std::iota(next.begin(), next.end(), 0);
+  if (known)
+  {
+    next = NextChanges(this->Cells, cells, stride);
+  }
+  this->Made = 0;
+  if (next.front() < size - 1)
+  {
+    const std::size_t all = static_cast<std::size_t>(size) * size;
+    auto entries = known ? std::make_shared<std::vector<glm::vec4>>(*this->Entries)
+                         : std::make_shared<std::vector<glm::vec4>>(all);
+    this->Made = MakeAll({ *entries, next, stride }, cells, step.Length);
+    this->Entries = std::move(entries);
+  }
+  this->Cells = std::move(cells);
+  this->Size = size;
+  this->Length = step.Length;
+  this->Low = function.Low;
+  this->High = function.High;
 }
 }
