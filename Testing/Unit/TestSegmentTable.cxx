@@ -298,3 +298,18 @@ TEST(SegmentTable, NodesOfMonotoneCellsHaveTheFunctionItself)
   EXPECT_NEAR(table.At(Size - 1, Size - 1).w, 2.0, 1e-6);
   EXPECT_EQ(table.At(29, 29).w, 0.0f);
 }
+
+// Without clamping there is nothing above the last point, but what the data reach is below it.
+TEST(SegmentTable, EndsHaveTheirValueFromWithin)
+{
+  Functions functions;
+  functions.Add(0.0, { 0.0, 0.0, 1.0, 1.0 });
+  functions.Add(1.0, { 1.0, 0.0, 0.0, 3.0 });
+  functions.Opacity->ClampingOff();
+  functions.Color->ClampingOff();
+  const Entries table(functions.Get(), 1e5);
+  EXPECT_NEAR(table.At(0, 0).w, 1.0, 1e-6);
+  EXPECT_NEAR(table.At(Size - 1, Size - 1).w, 3.0, 1e-6);
+  EXPECT_NEAR(table.At(Size - 1, Size - 1).x, 1.0, 1e-6);
+  EXPECT_NEAR(table.At(Size - 1, 0).x, 1.0, 1e-3) << "an opaque segment's front";
+}
