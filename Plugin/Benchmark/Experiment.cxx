@@ -1,6 +1,7 @@
 #include "Experiment.h"
 
 #include "Contestant.h"
+#include "FloatRendering.h"
 #include "JsonText.h"
 #include "Names.h"
 #include "Run.h"

@@ -10,7 +10,7 @@
 #include "VolumeBenchBenchmarkModule.h"
 
 #include "ExperimentSettings.h"
-#include "ImageError.h"
+#include "Error/ImageError.h"
 #include "PerceivedError.h"
 #include "SampleCount.h"
 #include "Statistics.h"

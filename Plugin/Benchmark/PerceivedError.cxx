@@ -1,11 +1,11 @@
 #include "PerceivedError.h"
 
 #include "ColorDifference.h"
+#include "Error/Footprint.h"
+#include "Error/Quantile.h"
 #include "Flip.h"
-#include "Footprint.h"
 #include "Plane.h"
 #include "ScreenPicture.h"
-#include "Statistics.h"
 #include "StructuralSimilarity.h"
 
 #include <algorithm>

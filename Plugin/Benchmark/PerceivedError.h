@@ -4,7 +4,7 @@
 
 #include "VolumeBenchBenchmarkModule.h"
 
-#include "FloatPicture.h"
+#include "Error/FloatPicture.h"
 
 #include <limits>
 #include <vector>

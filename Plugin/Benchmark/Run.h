@@ -3,7 +3,7 @@
 #define volumebench_Run_h
 
 #include "Experiment.h"
-#include "FloatPicture.h"
+#include "Error/FloatPicture.h"
 #include "StopRule.h"
 #include "TechniqueSettings.h"
 

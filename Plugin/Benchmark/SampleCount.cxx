@@ -1,6 +1,6 @@
 #include "SampleCount.h"
 
-#include "FloatPicture.h"
+#include "Error/FloatPicture.h"
 
 #include <cmath>
 #include <cstddef>

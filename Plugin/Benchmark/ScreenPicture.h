@@ -5,8 +5,8 @@
 
 #include "VolumeBenchBenchmarkModule.h"
 
-#include "FloatPicture.h"
-#include "Footprint.h"
+#include "Error/FloatPicture.h"
+#include "Error/Footprint.h"
 
 #include <glm/vec3.hpp>
 

@@ -1,5 +1,7 @@
 #include "Stage.h"
 
+#include "FloatRendering.h"
+
 #include "vtkCamera.h"
 #include "vtkOpenGLRenderWindow.h"
 

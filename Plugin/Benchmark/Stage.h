@@ -3,7 +3,7 @@
 #define volumebench_Stage_h
 
 #include "Contestant.h"
-#include "FloatPicture.h"
+#include "Error/FloatPicture.h"
 #include "Gpu/GlTimer.h"
 #include "Orbit.h"
 

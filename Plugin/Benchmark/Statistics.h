@@ -22,9 +22,6 @@ struct Summary
 /// NaN values (not measured) are left out.
 VOLUMEBENCHBENCHMARK_EXPORT Summary Summarize(std::vector<double> values);
 
-/// Value below which the share `q` in [0, 1] of the ascending series lies, interpolated linearly.
-VOLUMEBENCHBENCHMARK_EXPORT double Quantile(const std::vector<double>& ascending, double q);
-
 /// Standard error of the mean divided by the mean; infinity below two values.
 VOLUMEBENCHBENCHMARK_EXPORT double RelativeNoise(const std::vector<double>& values);
 }

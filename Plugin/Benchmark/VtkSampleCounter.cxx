@@ -1,6 +1,6 @@
 #include "VtkSampleCounter.h"
 
-#include "FloatPicture.h"
+#include "Error/FloatPicture.h"
 
 #include "vtkShaderProperty.h"
 #include "vtkVolume.h"

@@ -1,7 +1,7 @@
 #include "vtkVolumeBenchImageError.h"
 
 #include "Experiment.h"
-#include "FloatPicture.h"
+#include "Error/FloatPicture.h"
 #include "ResultTable.h"
 
 #include "vtkFloatArray.h"

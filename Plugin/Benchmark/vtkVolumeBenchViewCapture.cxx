@@ -1,6 +1,6 @@
 #include "vtkVolumeBenchViewCapture.h"
 
-#include "FloatPicture.h"
+#include "FloatRendering.h"
 #include "VtkSampleCounter.h"
 
 #include "vtkMultiBlockVolumeMapper.h"

@@ -1,7 +1,7 @@
 // Segment and PreIntegrated where they are meant for: transfer functions that change within a step.
 #include "EveryTechnique.h"
 
-#include "ImageError.h"
+#include "Error/ImageError.h"
 
 #include <tuple>
 

@@ -1,7 +1,7 @@
 // A volume in blocks: the picture of the whole from everywhere, and one line for what has no order.
 #include "EveryTechnique.h"
 
-#include "ImageError.h"
+#include "Error/ImageError.h"
 #include "Techniques/Technique.h"
 
 #include "vtkCompositeDataSet.h"

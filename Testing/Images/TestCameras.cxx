@@ -1,7 +1,7 @@
 // Views that share a window, tiles of one picture, and pixels that only part of a viewport sees.
 #include "EveryTechnique.h"
 
-#include "ImageError.h"
+#include "Error/ImageError.h"
 
 #include "vtkPointData.h"
 #include "vtkUnsignedCharArray.h"

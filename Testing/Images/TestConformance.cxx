@@ -2,7 +2,7 @@
 // A test draws its reference once and then all techniques.
 #include "ConformanceScene.h"
 #include "EveryTechnique.h"
-#include "ImageError.h"
+#include "Error/ImageError.h"
 #include "KeptPictures.h"
 
 #include <iostream>

@@ -2,7 +2,7 @@
 // place gives the same picture however the grid says so.
 #include "EveryTechnique.h"
 
-#include "ImageError.h"
+#include "Error/ImageError.h"
 
 using namespace volumebench;
 using namespace volumebench::test;

@@ -1,7 +1,7 @@
 // Blend modes that project one value, Gradient, and the count of samples: all with known results.
 #include "EveryTechnique.h"
 
-#include "ImageError.h"
+#include "Error/ImageError.h"
 
 #include <numeric>
 

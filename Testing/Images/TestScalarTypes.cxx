@@ -1,7 +1,7 @@
 // Every VTK scalar type, point and cell arrays, components and values that are not finite.
 #include "EveryTechnique.h"
 
-#include "ImageError.h"
+#include "Error/ImageError.h"
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"

@@ -1,7 +1,7 @@
 // Settings that say how a picture is made and not what it shows.
 #include "EveryTechnique.h"
 
-#include "ImageError.h"
+#include "Error/ImageError.h"
 #include "Scene/WorkGroup.h"
 
 using namespace volumebench;

@@ -1,7 +1,7 @@
 // What stands round a volume: opaque geometry, crop box, lights, other props and bad settings.
 #include "EveryTechnique.h"
 
-#include "ImageError.h"
+#include "Error/ImageError.h"
 
 #include "vtkActor.h"
 #include "vtkPlaneSource.h"

@@ -1,6 +1,6 @@
 // Lost contexts, changed windows, changed data, and a GL state that is left as found.
 #include "EveryTechnique.h"
-#include "ImageError.h"
+#include "Error/ImageError.h"
 #include "StateChecker.h"
 
 #include "vtkOpenGLRenderWindow.h"

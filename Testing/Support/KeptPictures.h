@@ -3,7 +3,7 @@
 #ifndef volumebench_KeptPictures_h
 #define volumebench_KeptPictures_h
 
-#include "FloatPicture.h"
+#include "Error/FloatPicture.h"
 
 #include "vtkImageData.h"
 #include "vtkNew.h"

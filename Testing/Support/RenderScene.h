@@ -2,7 +2,7 @@
 #ifndef volumebench_RenderScene_h
 #define volumebench_RenderScene_h
 
-#include "FloatPicture.h"
+#include "FloatRendering.h"
 #include "Stability/Views.h"
 #include "TestVolumes.h"
 #include "vtkVolumeBenchMapper.h"

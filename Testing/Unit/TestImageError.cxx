@@ -1,4 +1,4 @@
-#include "ImageError.h"
+#include "Error/ImageError.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "FloatPicture.h"
+#include "Error/FloatPicture.h"
 #include "SampleCount.h"
 
 #include <gtest/gtest.h>

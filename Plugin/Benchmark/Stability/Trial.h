@@ -6,7 +6,7 @@
 #include "VolumeBenchBenchmarkModule.h"
 
 #include "Contestant.h"
-#include "FloatPicture.h"
+#include "Error/FloatPicture.h"
 #include "Stability/Shot.h"
 #include "Stability/Tally.h"
 #include "Stage.h"

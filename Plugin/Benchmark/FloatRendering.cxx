@@ -1,4 +1,4 @@
-#include "FloatPicture.h"
+#include "FloatRendering.h"
 
 #include "vtkCameraPass.h"
 #include "vtkLightsPass.h"

@@ -2,9 +2,9 @@
 #ifndef volumebench_ImageError_h
 #define volumebench_ImageError_h
 
-#include "VolumeBenchBenchmarkModule.h"
+#include "VolumeBenchEngineModule.h"
 
-#include "FloatPicture.h"
+#include "Error/FloatPicture.h"
 
 #include <limits>
 
@@ -21,11 +21,11 @@ struct ImageError
 
 /// Over the union footprint: the pixels where either picture has alpha above 0, all four channels.
 /// An empty footprint has no error: NaN. Throws std::invalid_argument when the sizes differ.
-VOLUMEBENCHBENCHMARK_EXPORT ImageError CompareImages(
+VOLUMEBENCHENGINE_EXPORT ImageError CompareImages(
   const FloatPicture& picture, const FloatPicture& reference);
 
 /// The same over several views at once, as if they were one picture.
-VOLUMEBENCHBENCHMARK_EXPORT ImageError CompareImages(
+VOLUMEBENCHENGINE_EXPORT ImageError CompareImages(
   const std::vector<FloatPicture>& pictures, const std::vector<FloatPicture>& references);
 }
 

@@ -1,7 +1,7 @@
-#include "ImageError.h"
+#include "Error/ImageError.h"
 
-#include "Footprint.h"
-#include "Statistics.h"
+#include "Error/Footprint.h"
+#include "Error/Quantile.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,9 +3,9 @@
 #ifndef volumebench_Footprint_h
 #define volumebench_Footprint_h
 
-#include "VolumeBenchBenchmarkModule.h"
+#include "VolumeBenchEngineModule.h"
 
-#include "FloatPicture.h"
+#include "Error/FloatPicture.h"
 
 #include <vector>
 
@@ -32,11 +32,11 @@ struct Footprint
 
 /// A pixel is covered when either picture has alpha above 0; a NaN alpha counts as covered. Throws
 /// std::invalid_argument when the sizes differ.
-VOLUMEBENCHBENCHMARK_EXPORT Footprint UnionFootprint(
+VOLUMEBENCHENGINE_EXPORT Footprint UnionFootprint(
   const FloatPicture& picture, const FloatPicture& reference);
 
 /// Throws std::invalid_argument when there is not one reference for each picture.
-VOLUMEBENCHBENCHMARK_EXPORT void CheckPairs(
+VOLUMEBENCHENGINE_EXPORT void CheckPairs(
   const std::vector<FloatPicture>& pictures, const std::vector<FloatPicture>& references);
 }
 

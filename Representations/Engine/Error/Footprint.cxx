@@ -1,4 +1,4 @@
-#include "Footprint.h"
+#include "Error/Footprint.h"
 
 #include <algorithm>
 #include <stdexcept>
