@@ -3,6 +3,7 @@
 #include "Gpu/GlContextGuard.h"
 #include "Scene/CameraBuilder.h"
 #include "Scene/FromVtk.h"
+#include "Scene/PictureStamp.h"
 #include "Techniques/TechniqueTable.h"
 #include "vtkVolumeBenchMapper.h"
 
@@ -10,6 +11,7 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkVolume.h"
+#include "vtk_glew.h"
 
 #include <algorithm>
 #include <cmath>
@@ -69,6 +71,8 @@ void VolumePainter::ReleaseGpu()
     this->Window->MakeCurrent();
   }
   this->Window ? this->Selection.Release() : this->Selection.Forget();
+  this->Window ? this->Offscreen.Release() : this->Offscreen.Forget();
+  this->Window ? this->Depth.Release() : this->Depth.Forget();
   for (const std::unique_ptr<Part>& part : this->Parts)
   {
     if (this->Window)
@@ -216,12 +220,65 @@ void VolumePainter::Mark(
     scene.Scene.Clip.OpaqueGeometry = true; // in a selection pass all props leave their depth
   }
   this->PrepareAll(scenes);
-  this->Selection.DrawPicture(this->Window, viewport, [&] { this->RenderAll(scenes, mapper); });
+  this->Offscreen.Draw(this->Window, viewport, [&] { this->RenderAll(scenes, mapper); });
   for (PartScene& scene : scenes)
   {
     scene.Scene.Camera.Viewport = viewport;
-    this->Selection.Mark(scene.Scene, this->Window, color);
+    this->Selection.Mark(scene.Scene, this->Offscreen, this->Window, color);
   }
+}
+
+void VolumePainter::DrawOffscreen(vtkVolumeBenchMapper* mapper, vtkRenderer* renderer,
+  vtkVolume* volume, const std::string& technique)
+{
+  this->UseTechnique(technique);
+  this->UseWindow(renderer);
+  const glm::ivec4 viewport = ReadGlViewport(this->Window);
+  std::vector<PartScene> scenes =
+    this->ScenesBackToFront(mapper, renderer, volume, { 0, 0, viewport.z, viewport.w });
+  for (PartScene& scene : scenes)
+  {
+    scene.Scene.Measurement = {};
+    scene.Scene.Sampling.Method = ReferenceMethod::CellExact;
+  }
+  this->PrepareAll(scenes);
+  this->Offscreen.Draw(this->Window, viewport,
+    [&]
+    {
+      this->RenderAll(scenes, mapper);
+      glFinish();
+    });
+}
+
+FloatPicture VolumePainter::ReadOffscreen()
+{
+  const GlContextGuard guard(this->Window);
+  return this->Offscreen.Read();
+}
+
+ChangeStamp VolumePainter::StampOf(
+  vtkVolumeBenchMapper* mapper, vtkRenderer* renderer, vtkVolume* volume)
+{
+  this->UseTechnique(mapper->GetTechnique());
+  this->UseWindow(renderer);
+  const GlContextGuard guard(this->Window);
+  const glm::ivec4 viewport = ReadGlViewport(this->Window);
+  ChangeStamp stamp = std::hash<std::string>{}(this->TechniqueId);
+  bool hidden = false;
+  for (const PartScene& scene : this->ScenesBackToFront(mapper, renderer, volume, viewport))
+  {
+    ExtendStamp(stamp, PictureStampOf(scene.Scene));
+    hidden = hidden || scene.Scene.Clip.OpaqueGeometry;
+  }
+  if (hidden)
+  {
+    this->Depth.Capture(this->Window, viewport);
+    for (const float depth : this->Depth.Read(viewport))
+    {
+      ExtendStamp(stamp, depth);
+    }
+  }
+  return stamp;
 }
 
 FeatureSet VolumePainter::GetFeatures() const

@@ -2,6 +2,7 @@
 #ifndef volumebench_VolumePainter_h
 #define volumebench_VolumePainter_h
 
+#include "Gpu/OffscreenPicture.h"
 #include "Gpu/SelectionMask.h"
 #include "Scene/Blocks.h"
 #include "Scene/SceneBuilder.h"
@@ -31,6 +32,17 @@ public:
   /// blocks: for selection passes.
   void Mark(
     vtkVolumeBenchMapper* mapper, vtkRenderer* renderer, vtkVolume* volume, const glm::vec3& color);
+
+  /// Draws the picture with a technique beside the window, hidden by what the window shows as the
+  /// picture in it is, and waits until it is done.
+  void DrawOffscreen(vtkVolumeBenchMapper* mapper, vtkRenderer* renderer, vtkVolume* volume,
+    const std::string& technique);
+
+  /// What DrawOffscreen drew.
+  FloatPicture ReadOffscreen();
+
+  /// Of all that the picture depends on.
+  ChangeStamp StampOf(vtkVolumeBenchMapper* mapper, vtkRenderer* renderer, vtkVolume* volume);
 
   /// GPU objects go with the context that made them: deleted while it lives, dropped when it is
   /// gone.
@@ -69,7 +81,9 @@ private:
 
   std::string TechniqueId;                  // of the technique in use
   std::vector<std::unique_ptr<Part>> Parts; // one for each block
+  OffscreenPicture Offscreen;
   SelectionMask Selection;
+  OpaqueDepth Depth;                            // that a stamp is of
   vtkWeakPointer<vtkOpenGLRenderWindow> Window; // whose context holds the GPU objects
 };
 }

@@ -1,5 +1,6 @@
 #include "vtkVolumeBenchMapper.h"
 
+#include "Error/ErrorEstimator.h"
 #include "VolumePainter.h"
 
 #include "vtkBoundingBox.h"
@@ -21,6 +22,7 @@ vtkStandardNewMacro(vtkVolumeBenchMapper);
 struct vtkVolumeBenchMapper::Internals
 {
   volumebench::VolumePainter Painter;
+  volumebench::ErrorEstimator Estimator;
   std::string Failure;
   bool Unsupported = false;
 
@@ -94,6 +96,20 @@ void vtkVolumeBenchMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
     vtkErrorMacro("Volume not drawn: " << failure);
   }
   this->Internal->Failure = failure;
+  if (!renderer->GetSelector())
+  {
+    this->Internal->Estimator.FollowFrame(this, renderer, volume, this->Internal->Painter, failure);
+  }
+}
+
+void vtkVolumeBenchMapper::EstimateError()
+{
+  this->Internal->Estimator.Request();
+}
+
+volumebench::ErrorEstimate vtkVolumeBenchMapper::GetErrorEstimate()
+{
+  return this->Internal->Estimator.Get(this);
 }
 
 void vtkVolumeBenchMapper::ReleaseGraphicsResources(vtkWindow* window)

@@ -24,6 +24,7 @@
 
 namespace volumebench
 {
+struct ErrorEstimate;
 struct SetUpCosts;
 struct StageTime;
 }
@@ -244,6 +245,20 @@ public:
    * technique has only one.
    */
   std::vector<volumebench::StageTime> GetStages() const;
+
+  /**
+   * Asks for the error of the next still picture against the technique reference, drawn with it:
+   * off-screen, at the size of the view, hidden by the same opaque geometry. The mapper tells its
+   * progress, and the window's abort check ends it. Interactive frames (an update rate above 1) do
+   * not count as still.
+   */
+  void EstimateError();
+
+  /**
+   * What came of it. The numbers are NaN, and the text says why, unless the last frame was the
+   * picture that they belong to and no data, setting, function or camera has changed since.
+   */
+  volumebench::ErrorEstimate GetErrorEstimate();
 
 protected:
   vtkVolumeBenchMapper();

@@ -11,22 +11,8 @@
 
 namespace volumebench
 {
-void SelectionMask::DrawPicture(
-  vtkOpenGLRenderWindow* window, const glm::ivec4& viewport, const std::function<void()>& draw)
-{
-  const GlContextGuard guard(window);
-  this->Depth.Capture(window, viewport);
-  const OffscreenScope scope(window);
-  const glm::ivec4 whole(0, 0, viewport.z, viewport.w);
-  this->Picture.Resize({ viewport.z, viewport.w }, GL_RGBA32F);
-  this->Picture.Bind(window, whole, whole);
-  glFramebufferTexture2D(GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D,
-    this->Depth.GetTexture().GetHandle(), 0);
-  OffscreenTarget::Clear(glm::vec4(0.0f));
-  draw();
-}
-
-void SelectionMask::Mark(const Scene& scene, vtkOpenGLRenderWindow* window, const glm::vec3& color)
+void SelectionMask::Mark(const Scene& scene, OffscreenPicture& picture,
+  vtkOpenGLRenderWindow* window, const glm::vec3& color)
 {
   const GlContextGuard guard(window);
   this->Numbers.Bind(scene);
@@ -35,7 +21,7 @@ void SelectionMask::Mark(const Scene& scene, vtkOpenGLRenderWindow* window, cons
   program.Bind(window);
   {
     TextureUnits units(window);
-    program.SetUnit("pictureTexture", units.Attach(this->Picture.GetTexture()));
+    program.SetUnit("pictureTexture", units.Attach(picture.GetTexture()));
     const GLuint handle = program.GetHandle();
     glUniform3fv(glGetUniformLocation(handle, "idColor"), 1, glm::value_ptr(color));
     glUniform1f(glGetUniformLocation(handle, "leastOpacity"), LeastOpacity);
@@ -52,8 +38,6 @@ void SelectionMask::Mark(const Scene& scene, vtkOpenGLRenderWindow* window, cons
 
 void SelectionMask::Release()
 {
-  this->Depth.Release();
-  this->Picture.Release();
   this->Programs.Release();
   this->Numbers.Release();
   this->Forget();
@@ -61,8 +45,6 @@ void SelectionMask::Release()
 
 void SelectionMask::Forget()
 {
-  this->Depth.Forget();
-  this->Picture.Forget();
   this->Programs.Forget();
   this->Numbers.Forget();
 }

@@ -5,14 +5,10 @@
 #define volumebench_SelectionMask_h
 
 #include "Gpu/KernelPrograms.h"
-#include "Gpu/OffscreenTarget.h"
-#include "Gpu/OpaqueDepth.h"
+#include "Gpu/OffscreenPicture.h"
 #include "Gpu/SceneBuffer.h"
 
 #include <glm/vec3.hpp>
-#include <glm/vec4.hpp>
-
-#include <functional>
 
 class vtkOpenGLRenderWindow;
 
@@ -25,21 +21,15 @@ public:
   /// VTK's own volume mapper: haze that nobody sees does not hide what is behind.
   static constexpr float LeastOpacity = 3.0f / 255.0f;
 
-  /// Calls `draw` with an empty target bound that is as large as `viewport` but begins at (0, 0),
-  /// and has the depth of what has been drawn there.
-  void DrawPicture(
-    vtkOpenGLRenderWindow* window, const glm::ivec4& viewport, const std::function<void()>& draw);
-
-  /// Marks in the bound framebuffer, with depth, where the last picture is visible and the rays
-  /// meet the box of `scene`, which is one of those drawn.
-  void Mark(const Scene& scene, vtkOpenGLRenderWindow* window, const glm::vec3& color);
+  /// Marks in the bound framebuffer, with depth, where the picture is visible and the rays meet the
+  /// box of `scene`, which is one of those drawn.
+  void Mark(const Scene& scene, OffscreenPicture& picture, vtkOpenGLRenderWindow* window,
+    const glm::vec3& color);
 
   void Release();
   void Forget();
 
 private:
-  OpaqueDepth Depth;
-  OffscreenTarget Picture;
   KernelPrograms Programs;
   SceneBuffer Numbers;
 };

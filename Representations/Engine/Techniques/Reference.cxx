@@ -1,5 +1,6 @@
 #include "Techniques/Reference.h"
 
+#include "Scene/FrameRate.h"
 #include "Scene/PackScene.h"
 
 #include "vtkOpenGLRenderWindow.h"
@@ -12,8 +13,6 @@ namespace volumebench
 {
 namespace
 {
-// VTK's and ParaView's still pictures ask for far less than a frame per second.
-constexpr double InteractiveRate = 1.0;
 constexpr int InteractivePixelsPerRay = 4;
 
 // The scene as this technique sees it: nothing of how others sample it.
@@ -64,8 +63,7 @@ Reference::Key Reference::KeyOf(const Scene& scene)
 
 void Reference::Cast(const Scene& scene, vtkOpenGLRenderWindow* window, const Key& key)
 {
-  const bool interactive = window->GetDesiredUpdateRate() > InteractiveRate;
-  const int wanted = interactive ? InteractivePixelsPerRay : 1;
+  const int wanted = WantsInteractiveFrames(window) ? InteractivePixelsPerRay : 1;
   if (this->Texture.IsCreated() && this->PixelsPerRay <= wanted && this->Shown == key)
   {
     return;
