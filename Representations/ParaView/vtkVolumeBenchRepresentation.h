@@ -23,11 +23,12 @@
 #include "vtkImageVolumeRepresentation.h"
 #include "vtkWeakPointer.h" // for the renderer
 
-#include <string> // for the failure
+#include <string> // for messages
 
 namespace volumebench
 {
 struct Block;
+struct ErrorEstimate;
 }
 
 class vtkCompositeDataSet;
@@ -81,6 +82,20 @@ public:
   vtkSetVector2Macro(GradientOpacityRange, double);
   ///@}
 
+  ///@{
+  /**
+   * vtkVolumeBenchMapper::EstimateError, in a session without servers and other ranks, and what it
+   * finds of the next still picture. Numbers that belong to no picture on the screen are NaN; the
+   * text says why.
+   */
+  void EstimateError();
+  double GetErrorRmse();
+  double GetLargestError();
+  double GetReferenceSeconds();
+  double GetFrameMs();
+  const char* GetErrorText();
+  ///@}
+
   void SetVisibility(bool visible) override;
   int ProcessViewRequest(
     vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo) override;
@@ -109,6 +124,7 @@ private:
   void ForwardVectorMode();
   void ForwardGradientOpacity(vtkVolumeProperty* property);
   vtkVolumeBenchMapper* GetMapper();
+  volumebench::ErrorEstimate GetErrorEstimate();
 
   int TechniqueBlendMode = 0;
   bool GradientOpacity = false;
@@ -120,6 +136,8 @@ private:
   vtkMTimeType RampTime = 0;
   volumebench::RankBoxes Ranks;
   std::string Failure;                  // said once, not at every render
+  std::string ErrorRefusal;             // why no error can be estimated
+  std::string ErrorText;                // lives as long as who asked for it needs
   vtkWeakPointer<vtkRenderer> Unpeeled; // whose volume peeling was on and is off for us
 };
 

@@ -1,0 +1,40 @@
+/**
+ * @class   vtkSMVolumeBenchRepresentationProxy
+ * @brief   the client's side of vtkVolumeBenchRepresentation
+ *
+ * After each still picture of its view it fetches what the representation knows of the picture's
+ * error: ParaView itself reads such properties once, when it makes the panel.
+ */
+#ifndef vtkSMVolumeBenchRepresentationProxy_h
+#define vtkSMVolumeBenchRepresentationProxy_h
+
+#include "VolumeBenchRepresentationsModule.h" // for the export macro
+#include "vtkSMRepresentationProxy.h"
+#include "vtkWeakPointer.h" // for the view
+
+class VOLUMEBENCHREPRESENTATIONS_EXPORT vtkSMVolumeBenchRepresentationProxy
+  : public vtkSMRepresentationProxy
+{
+public:
+  static vtkSMVolumeBenchRepresentationProxy* New();
+  vtkTypeMacro(vtkSMVolumeBenchRepresentationProxy, vtkSMRepresentationProxy);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  void ViewUpdated(vtkSMProxy* view) override;
+
+protected:
+  vtkSMVolumeBenchRepresentationProxy();
+  ~vtkSMVolumeBenchRepresentationProxy() override;
+
+private:
+  vtkSMVolumeBenchRepresentationProxy(const vtkSMVolumeBenchRepresentationProxy&) = delete;
+  void operator=(const vtkSMVolumeBenchRepresentationProxy&) = delete;
+
+  void Follow(vtkSMProxy* view);
+  void OnRendered(vtkObject* view, unsigned long event, void* interactive);
+
+  vtkWeakPointer<vtkSMProxy> Followed; // the view that is observed
+  unsigned long Observer = 0;
+};
+
+#endif
