@@ -36,7 +36,7 @@ class VOLUMEBENCHENGINE_EXPORT SegmentTable
 public:
   static constexpr double Tolerance = 1.0 / (64.0 * 255.0); // a 64th of a shade of 8 bits
   static constexpr int SmallestSize = 128;
-  static constexpr int LargestSize = 1017; // of cells that merge in pairs three times
+  static constexpr int LargestSize = 1017; // 8 x 127 cells: the sizes are 128, 255, 509, 1017
 
   /// `fixedSize` is that of each axis, at least 2; 0 leaves it to the functions.
   void Build(const TransferFunction& function, const SegmentStep& step, int fixedSize = 0);
