@@ -98,8 +98,9 @@ TEST(VolumeBuilder, SmallIntegersKeepTheirBits)
   {
     const Volume volume = Build(MakeImage(3, 3, 3, Index, type));
     EXPECT_EQ(volume.Format, TexelFormat::Unsigned16) << type;
-    EXPECT_EQ(volume.Mapping.Normalize(volume.Scalars->GetDataTypeMin()), 0.0) << type;
-    EXPECT_EQ(volume.Mapping.Normalize(volume.Scalars->GetDataTypeMax()), 1.0) << type;
+    EXPECT_EQ(volume.Mapping.Normalize(volume.FiniteRange[0]), 0.0) << "counted from the smallest";
+    const double values = volume.Scalars->GetDataTypeMax() - volume.Scalars->GetDataTypeMin();
+    EXPECT_EQ(volume.Mapping.Normalize(volume.FiniteRange[0] + values), 1.0) << type;
   }
 }
 

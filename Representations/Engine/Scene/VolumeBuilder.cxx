@@ -78,7 +78,22 @@ ValueMapping RangeMapping(const double range[2])
   return { 0.5 * range[0], half > 0.0 ? half : 0.5 };
 }
 
-// 8- and 16-bit values keep all their bits in a 16-bit texture; the others are stored relative to
+// The value that is stored as 0 in whole numbers; four channels come as they are.
+double SmallestStored(const Volume& volume)
+{
+  switch (volume.Channels)
+  {
+    case 4:
+      return volume.Scalars->GetDataTypeMin();
+    case 2:
+      return std::min(volume.FiniteRange[0], volume.ColorRange[0]);
+    default:
+      return volume.FiniteRange[0];
+  }
+}
+
+// 8- and 16-bit values keep all their bits in a 16-bit texture, counted from the smallest, so that
+// a short range within the type's keeps the digits of a float; the others are stored relative to
 // the range that they have.
 void ChooseMapping(Volume& volume)
 {
@@ -86,9 +101,10 @@ void ChooseMapping(Volume& volume)
   const bool small = volume.Scalars->GetDataTypeSize() <= 2 && type != VTK_BIT;
   if (small && volume.Component >= 0)
   {
-    const double low = volume.Scalars->GetDataTypeMin();
+    const double low = SmallestStored(volume);
     volume.Format = TexelFormat::Unsigned16;
-    volume.Mapping = { 0.5 * low, 0.5 * volume.Scalars->GetDataTypeMax() - 0.5 * low };
+    volume.Mapping = { 0.5 * low,
+      0.5 * volume.Scalars->GetDataTypeMax() - 0.5 * volume.Scalars->GetDataTypeMin() };
     volume.ColorMapping = volume.Mapping;
   }
   else
