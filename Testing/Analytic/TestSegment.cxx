@@ -3,14 +3,11 @@
 // length per unit of t; fields are functions of t.
 #include "KernelInstances.h"
 
+#include "PropertyWithFunctions.h"
+
 #include "Scene/ExactTransferFunction.h"
 #include "Scene/PrefixTable.h"
 #include "Scene/TransferFunctionTable.h"
-
-#include "vtkColorTransferFunction.h"
-#include "vtkNew.h"
-#include "vtkPiecewiseFunction.h"
-#include "vtkVolumeProperty.h"
 
 #include <gtest/gtest.h>
 
@@ -23,18 +20,8 @@ namespace
 {
 using Field = std::function<double(double)>;
 
-struct Functions
+struct Functions : volumebench::test::PropertyWithFunctions
 {
-  vtkNew<vtkVolumeProperty> Property;
-  vtkNew<vtkPiecewiseFunction> Opacity;
-  vtkNew<vtkColorTransferFunction> Color;
-
-  Functions()
-  {
-    this->Property->SetScalarOpacity(this->Opacity);
-    this->Property->SetColor(this->Color);
-  }
-
   /// Over values from 0 to 1.
   TransferFunction Build() const
   {

@@ -1,11 +1,8 @@
+#include "PropertyWithFunctions.h"
+
 #include "Scene/ExactTransferFunction.h"
 
 #include "Scene/Scene.h"
-
-#include "vtkColorTransferFunction.h"
-#include "vtkNew.h"
-#include "vtkPiecewiseFunction.h"
-#include "vtkVolumeProperty.h"
 
 #include <gtest/gtest.h>
 
@@ -16,18 +13,9 @@ using namespace volumebench;
 
 namespace
 {
-struct Functions
+struct Functions : volumebench::test::PropertyWithFunctions
 {
-  vtkNew<vtkVolumeProperty> Property;
-  vtkNew<vtkPiecewiseFunction> Opacity;
-  vtkNew<vtkColorTransferFunction> Color;
-
-  Functions()
-  {
-    this->Property->SetScalarOpacity(this->Opacity);
-    this->Property->SetColor(this->Color);
-    this->Color->AddRGBPoint(0.0, 0.2, 0.4, 0.6);
-  }
+  Functions() { this->Color->AddRGBPoint(0.0, 0.2, 0.4, 0.6); }
 };
 
 // Of colour (red) times extinction, by a fine midpoint rule.

@@ -1,12 +1,9 @@
 // The pre-integrated table's size, and what edits of the functions leave of it.
+#include "PropertyWithFunctions.h"
+
 #include "Scene/SegmentTable.h"
 
 #include "Scene/TransferFunctionTable.h"
-
-#include "vtkColorTransferFunction.h"
-#include "vtkNew.h"
-#include "vtkPiecewiseFunction.h"
-#include "vtkVolumeProperty.h"
 
 #include <gtest/gtest.h>
 
@@ -22,16 +19,10 @@ namespace
 const SegmentStep Step{ 0.5, 2.0 };
 
 // Over values from 0 to 1.
-struct Functions
+struct Functions : volumebench::test::PropertyWithFunctions
 {
-  vtkNew<vtkVolumeProperty> Property;
-  vtkNew<vtkPiecewiseFunction> Opacity;
-  vtkNew<vtkColorTransferFunction> Color;
-
   Functions()
   {
-    this->Property->SetScalarOpacity(this->Opacity);
-    this->Property->SetColor(this->Color);
     this->Color->AddRGBPoint(0.0, 0.0, 0.0, 1.0);
     this->Color->AddRGBPoint(1.0, 1.0, 0.5, 0.0);
     this->Opacity->AddPoint(0.0, 0.01);
