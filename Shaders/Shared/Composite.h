@@ -5,8 +5,10 @@
 // 1 - exp(-x) for x >= 0 without the cancellation that costs thin media their digits.
 FUNC real opacityOfDepth(real opticalDepth)
 {
-  real series = REAL(0.0083333333333333333) -
-    opticalDepth * (REAL(0.0013888888888888889) - opticalDepth * REAL(0.00019841269841269841));
+  real series = REAL(0.00019841269841269841) -
+    opticalDepth * (REAL(2.4801587301587302e-5) - opticalDepth * REAL(2.7557319223985891e-6));
+  series = REAL(0.0083333333333333333) -
+    opticalDepth * (REAL(0.0013888888888888889) - opticalDepth * series);
   series = REAL(0.16666666666666667) -
     opticalDepth * (REAL(0.041666666666666667) - opticalDepth * series);
   series = opticalDepth * (REAL(1.0) - opticalDepth * (REAL(0.5) - opticalDepth * series));

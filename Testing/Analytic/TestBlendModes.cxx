@@ -119,7 +119,7 @@ TEST(MinimumText, IsTheSmallestValueOfTheRay)
 {
   const auto scene = VOLUMEBENCH_SCENE(minimum64, Ramp, 0.7);
   const auto result = minimum64::integrate(scene, VOLUMEBENCH_RAY(minimum64), { 0.5, 3.5 });
-  EXPECT_NEAR(result.w, Ramp(0.5), 1e-9); // what the series of the exponential leaves out
+  EXPECT_NEAR(result.w, Ramp(0.5), 1e-12);
 }
 
 TEST(ExtremeTexts, OpacityIsGivenOverTheUnitDistance)
