@@ -23,5 +23,6 @@ void main()
   windowDepth = texelFetch(opaqueDepthTexture, ivec2(gl_FragCoord.xy - scene.viewport.xy), 0).x;
 #endif
   vec3 entryPoint = texelFetch(entryPointTexture, texel, 0).xyz;
-  fragmentColor = castRayFrom(entryPoint, directionAndLength, windowDepth);
+  fragmentColor =
+    castRayFrom(gl_FragCoord.xy, entryPoint, directionAndLength, windowDepth);
 }

@@ -40,7 +40,7 @@ void main()
   if (directionAndLength.w > 0.0)
   {
     vec3 entryPoint = texelFetch(entryPointTexture, texel, 0).xyz;
-    result = castRayFrom(entryPoint, directionAndLength, windowDepth);
+    result = castRayFrom(pixel, entryPoint, directionAndLength, windowDepth);
   }
 #else
   result = castRay(pixel, windowDepth);

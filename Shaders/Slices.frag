@@ -13,6 +13,7 @@ out vec4 fragmentColor;
 void main()
 {
   vec4 slabRay = texelFetch(slabRayTexture, ivec2(gl_FragCoord.xy), 0);
+  vec2 pixel = gl_FragCoord.xy + scene.rectangle.xy;
   fragmentColor =
-    castSlab(texturePosition, texturePerDepth, slabRay, slabDepths.x, slabDepths.y);
+    castSlab(pixel, texturePosition, texturePerDepth, slabRay, slabDepths.x, slabDepths.y);
 }

@@ -82,6 +82,21 @@ public:
 
   ///@{
   /**
+   * Moves the steps of each pixel's ray by a random share of one: rings of equal sampling become
+   * noise, and errors as large as those of Left. Pictures of the same seed, 0 (default) to
+   * 16777215, are the same. Left and Midpoint then sample at the same places; Segment,
+   * PreIntegrated, Maximum and Minimum move the borders between steps. Technique reference has no
+   * steps and ignores it. Default off.
+   */
+  vtkSetMacro(Jitter, bool);
+  vtkGetMacro(Jitter, bool);
+  vtkBooleanMacro(Jitter, bool);
+  vtkSetMacro(JitterSeed, int);
+  vtkGetMacro(JitterSeed, int);
+  ///@}
+
+  ///@{
+  /**
    * Entries of the table of the transfer functions; 0 (default): as many as its closest two points
    * ask for, between 4096 and what the device takes.
    */
@@ -269,6 +284,8 @@ protected:
   std::string Technique = "single-pass";
   int Integrator = 1;
   double StepVoxels = 0.5;
+  bool Jitter = false;
+  int JitterSeed = 0;
   int TableSize = 0;
   double TerminationThreshold = 0.001;
   int RaySetUp = 1;

@@ -5,6 +5,7 @@ using vec2 = glm::vec<2, real>;
 using vec3 = glm::vec<3, real>;
 using vec4 = glm::vec<4, real>;
 using ivec4 = glm::ivec4;
+using uint = glm::uint;
 using glm::ceil;
 using glm::dot;
 using glm::exp;
@@ -23,6 +24,7 @@ using std::fabs;
 #define REAL(x) real(x)
 #define TO_REAL(x) real(x)
 #define TO_INT(x) int(x)
+#define TO_UINT(x) uint(x)
 #define VEC3(x, y, z) vec3(x, y, z)
 #define VEC4(x, y, z, w) vec4(x, y, z, w)
 #define SCENE_BLOCK_BEGIN                                                                          \

@@ -6,6 +6,7 @@ typedef float2 vec2;
 typedef float3 vec3;
 typedef float4 vec4;
 typedef int4 ivec4;
+typedef unsigned int uint;
 #define FUNC __device__ inline
 #define PRECISE
 #define STRUCT(name) struct name
@@ -14,6 +15,7 @@ typedef int4 ivec4;
 #define REAL(x) float(x)
 #define TO_REAL(x) float(x)
 #define TO_INT(x) int(x)
+#define TO_UINT(x) uint(x)
 #define VEC3(x, y, z) make_float3(x, y, z)
 #define VEC4(x, y, z, w) make_float4(x, y, z, w)
 #define SCENE_BLOCK_BEGIN                                                                          \

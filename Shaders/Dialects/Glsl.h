@@ -13,6 +13,7 @@
 #define REAL(x) (x)
 #define TO_REAL(x) float(x)
 #define TO_INT(x) int(x)
+#define TO_UINT(x) uint(x)
 #define VEC3(x, y, z) vec3(x, y, z)
 #define VEC4(x, y, z, w) vec4(x, y, z, w)
 #define fabs(x) abs(x)

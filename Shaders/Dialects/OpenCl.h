@@ -45,6 +45,7 @@ typedef int4 ivec4;
 #define REAL(x) ((float)(x))
 #define TO_REAL(x) ((float)(x))
 #define TO_INT(x) ((int)(x))
+#define TO_UINT(x) ((uint)(x))
 #define VEC3(x, y, z) ((float3)(x, y, z))
 #define VEC4(x, y, z, w) ((float4)(x, y, z, w))
 #define SCENE_BLOCK_BEGIN                                                                          \

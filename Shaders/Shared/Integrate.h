@@ -20,6 +20,15 @@
 #define BETWEEN_ENDS 0
 #endif
 
+// How jitter moves the steps of a ray: each sample to the same share of its step or, where a step is
+// taken from both its ends, the borders between steps. Then the first step is that share of a whole
+// one, and the last is what is left. Either way the mean over the shares is of second order.
+#if WITH_JITTER && (BETWEEN_ENDS || EXTREME_OF_ENDS)
+#define BORDERS_MOVE 1
+#else
+#define BORDERS_MOVE 0
+#endif
+
 #if WITH_SEGMENT
 #define SAMPLES_OF_STEP 2
 #else
@@ -54,9 +63,11 @@ FUNC StepEnd stepEndAt(SCENE_PARAM Ray ray, real along)
   return end;
 }
 
-FUNC real samplePoint(real stepBegin, real width)
+FUNC real samplePoint(Ray ray, real stepBegin, real width)
 {
-#if WITH_MIDPOINT
+#if WITH_JITTER && !BORDERS_MOVE
+  return stepBegin + ray.jitter * width;
+#elif WITH_MIDPOINT
   return stepBegin + REAL(0.5) * width;
 #else
   return stepBegin;
@@ -77,7 +88,7 @@ FUNC vec4 contributionOf(
 FUNC vec4 contributionOf(
   SCENE_PARAM Ray ray, real stepBegin, real width, StepEnd front, StepEnd back)
 {
-  real along = samplePoint(stepBegin, width);
+  real along = samplePoint(ray, stepBegin, width);
 #if WITH_BLANKING || WITH_CROP_REGIONS
   if (isHidden(SCENE ray, along))
   {
@@ -96,7 +107,7 @@ FUNC vec4 classifiedStep(
 #if WITH_BLANKING
   if (front.hidden || back.hidden)
   {
-    return classifiedAt(SCENE texturePositionOf(ray, samplePoint(stepBegin, width)));
+    return classifiedAt(SCENE texturePositionOf(ray, samplePoint(ray, stepBegin, width)));
   }
 #endif
 #if WITH_SEGMENT
@@ -107,7 +118,7 @@ FUNC vec4 classifiedStep(
 #if WITH_DIRECT_COLOR || WITH_OPACITY_CHANNEL
   // Colour comes from components of its own.
   vec4 color =
-    classifiedAt(SCENE texturePositionOf(ray, samplePoint(stepBegin, width)));
+    classifiedAt(SCENE texturePositionOf(ray, samplePoint(ray, stepBegin, width)));
   classified = VEC4(color.x, color.y, color.z, classified.w);
 #endif
   return classified;
@@ -118,7 +129,7 @@ FUNC vec4 classifiedStep(
 FUNC vec4 contributionOf(
   SCENE_PARAM Ray ray, real stepBegin, real width, StepEnd front, StepEnd back)
 {
-  real along = samplePoint(stepBegin, width);
+  real along = samplePoint(ray, stepBegin, width);
 #if BETWEEN_ENDS
   vec4 sampled =
     appearanceAt(SCENE ray, along, classifiedStep(SCENE ray, stepBegin, width, front, back));
@@ -171,13 +182,49 @@ STRUCT(March)
   real stopped;
 };
 
-// Takes one step. Sample positions are begin + i * step from an integer i, so a later jump over empty
-// space lands on the same samples; the last step may be short.
-FUNC March stepped(SCENE_PARAM Ray ray, Interval interval, March march)
+// By how much jitter moves the borders between steps of this length towards the eye.
+FUNC real borderShift(Ray ray, real stepLength)
+{
+#if BORDERS_MOVE
+  return (REAL(1.0) - ray.jitter) * stepLength;
+#else
+  return REAL(0.0);
+#endif
+}
+
+FUNC int stepCountOf(SCENE_PARAM Ray ray, Interval interval)
 {
   real stepLength = scene.sampling.x;
-  real stepBegin = interval.begin + TO_REAL(march.steps) * stepLength;
-  real width = min(stepLength, interval.end - stepBegin);
+  real toBorders = interval.end - interval.begin + borderShift(ray, stepLength);
+  return interval.end > interval.begin ? TO_INT(ceil(toBorders / stepLength)) : 0;
+}
+
+// Where a step begins: begin + i * step from an integer i, so a later jump over empty space lands on
+// the same samples.
+FUNC real stepBeginOf(SCENE_PARAM Ray ray, Interval interval, int index)
+{
+  real along = TO_REAL(index) * scene.sampling.x;
+#if BORDERS_MOVE
+  along = max(along - borderShift(ray, scene.sampling.x), REAL(0.0));
+#endif
+  return interval.begin + along;
+}
+
+// How long a step is. The last may be short, and with borders that move the first is.
+FUNC real stepWidthOf(SCENE_PARAM Ray ray, Interval interval, int index, real stepBegin)
+{
+  real width = scene.sampling.x;
+#if BORDERS_MOVE
+  width = index == 0 ? width - borderShift(ray, width) : width;
+#endif
+  return min(width, interval.end - stepBegin);
+}
+
+// Takes one step.
+FUNC March stepped(SCENE_PARAM Ray ray, Interval interval, March march)
+{
+  real stepBegin = stepBeginOf(SCENE ray, interval, march.steps);
+  real width = stepWidthOf(SCENE ray, interval, march.steps, stepBegin);
   StepEnd back = stepEndAt(SCENE ray, stepBegin + width);
   vec4 contribution = stepOf(SCENE ray, stepBegin, width, march.front, back);
 #if WITH_COMPENSATION
@@ -218,11 +265,7 @@ FUNC March steppedFourTimes(SCENE_PARAM Ray ray, Interval interval, March march,
 // The pixel of the part of a ray in the interval.
 FUNC vec4 integrate(SCENE_PARAM Ray ray, Interval interval)
 {
-  int count = 0;
-  if (interval.end > interval.begin)
-  {
-    count = TO_INT(ceil((interval.end - interval.begin) / scene.sampling.x));
-  }
+  int count = stepCountOf(SCENE ray, interval);
   March march;
   march.result = emptyRay();
 #if WITH_COMPENSATION
@@ -259,15 +302,17 @@ FUNC vec4 integrate(SCENE_PARAM Ray ray, Interval interval)
 // Premultiplied colour and opacity of the ray through a pixel; pixels are counted in the window.
 FUNC vec4 castRay(SCENE_PARAM vec2 pixel, real windowDepth)
 {
-  Ray ray = rayThroughPixel(SCENE pixel);
+  Ray ray = jittered(SCENE rayThroughPixel(SCENE pixel), pixel);
   return integrate(SCENE ray, visibleInterval(SCENE ray, windowDepth));
 }
 
 // The same for a ray whose entry into the box, direction and length in it are known.
-FUNC vec4 castRayFrom(SCENE_PARAM vec3 entryPoint, vec4 directionAndLength, real windowDepth)
+FUNC vec4 castRayFrom(
+  SCENE_PARAM vec2 pixel, vec3 entryPoint, vec4 directionAndLength, real windowDepth)
 {
   Ray ray = rayFrom(
     SCENE entryPoint, xyz(directionAndLength), viewDepthAt(SCENE entryPoint));
+  ray = jittered(SCENE ray, pixel);
   Interval interval;
   interval.begin = REAL(0.0);
   interval.end = directionAndLength.w;
@@ -289,12 +334,16 @@ FUNC vec4 slabRayOf(SCENE_PARAM vec2 pixel, real windowDepth)
 // What one slab adds to a pixel's ray: its part between two depths, as one step. The length is that
 // of the ray, so it grows towards the edge of a perspective picture. texturePosition is where the ray
 // meets the middle plane of the slab, texturePerDepth how it goes on; both change linearly over the
-// picture, so they are interpolated and not worked out.
-FUNC vec4 castSlab(SCENE_PARAM vec3 texturePosition, vec3 texturePerDepth, vec4 slabRay,
-  real nearDepth, real farDepth)
+// picture, so they are interpolated and not worked out. Jitter that moves borders moves the pixel's
+// slabs towards the eye.
+FUNC vec4 castSlab(SCENE_PARAM vec2 pixel, vec3 texturePosition, vec3 texturePerDepth,
+  vec4 slabRay, real nearDepth, real farDepth)
 {
-  real slabBegin = max(slabRay.x, nearDepth);
-  real width = min(slabRay.y, farDepth) - slabBegin;
+  Ray ray = rayInSlab(SCENE texturePosition, texturePerDepth, slabRay.z, slabRay.w);
+  ray = jittered(SCENE ray, pixel);
+  real shift = borderShift(ray, farDepth - nearDepth);
+  real slabBegin = max(slabRay.x, nearDepth - shift);
+  real width = min(slabRay.y, farDepth - shift) - slabBegin;
 #if WITH_SAMPLE_COUNT
   real samples = width > REAL(0.0) ? REAL(SAMPLES_OF_STEP) : REAL(0.0);
   return VEC4(samples, REAL(0.0), REAL(0.0), REAL(0.0));
@@ -303,7 +352,6 @@ FUNC vec4 castSlab(SCENE_PARAM vec3 texturePosition, vec3 texturePerDepth, vec4 
   {
     return emptyRay();
   }
-  Ray ray = rayInSlab(SCENE texturePosition, texturePerDepth, slabRay.z, slabRay.w);
   real stepBegin = slabBegin - REAL(0.5) * (nearDepth + farDepth);
   return stepOf(SCENE ray, stepBegin, width, stepEndAt(SCENE ray, stepBegin),
     stepEndAt(SCENE ray, stepBegin + width));

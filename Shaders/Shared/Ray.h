@@ -10,6 +10,9 @@ STRUCT(Ray)
   real originDepth;      // view depth of the origin
   real lengthPerUnit;    // data length of one unit along the ray
   real oneVoxel;         // units that are as long as one voxel
+#if WITH_JITTER
+  real jitter;           // share of a step, in (0, 1), by which the pixel's steps are moved
+#endif
 };
 
 STRUCT(Interval)
@@ -28,6 +31,9 @@ FUNC Ray rayFrom(SCENE_PARAM vec3 origin, vec3 direction, real originDepth)
   ray.originDepth = originDepth;
   ray.lengthPerUnit = length(rowsTimes(scene.dataX, scene.dataY, scene.dataZ, direction));
   ray.oneVoxel = REAL(1.0);
+#if WITH_JITTER
+  ray.jitter = REAL(0.5);
+#endif
   return ray;
 }
 
@@ -54,6 +60,9 @@ FUNC Ray rayInSlab(
   ray.originDepth = REAL(0.0);
   ray.lengthPerUnit = lengthPerDepth;
   ray.oneVoxel = depthPerVoxel;
+#if WITH_JITTER
+  ray.jitter = REAL(0.5);
+#endif
   return ray;
 }
 

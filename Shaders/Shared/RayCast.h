@@ -2,6 +2,7 @@
 // (fieldAt, tableAt and, with their features, texelAt, prefixAt, segmentTableAt, gradientTableAt
 // and blankingAt), then this file.
 #include "Shared/Ray.h"
+#include "Shared/Jitter.h"
 #include "Shared/Classify.h"
 #include "Shared/Segment.h"
 #include "Shared/Lighting.h"

@@ -57,7 +57,7 @@ SCENE_BLOCK_BEGIN
   vec4 gradientOpacity; // x, y: scale and offset from gradient magnitude to its table coordinate
   vec4 sampling;        // x: step in voxels, which for Segment, with a sample in its middle, is two
                         // of the user's; y: opacity at which a ray stops; z: the distance over
-                        // which opacity is given, in data units
+                        // which opacity is given, in data units; w: seed of the jitter
   vec4 material;        // ambient, diffuse, specular, specular power
   vec4 lightCount;      // x: number of lights in use; y: weight of lighting per stored difference
   vec4 lightPosition[LIGHT_LIMIT]; // w 0: xyz is the direction to the light; w 1: its position

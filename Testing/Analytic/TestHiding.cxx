@@ -144,8 +144,8 @@ TEST(SlabText, SlabsJoinToTheRay)
     const double nearDepth = 0.8 * (0.25 + 0.1 * slab);
     const midpoint64::vec3 perDepth(1.0 / 0.8, 0.0, 0.0);
     gathered = midpoint64::accumulate(gathered,
-      midpoint64::castSlab(
-        scene, (nearDepth + 0.04) * perDepth, perDepth, slabRay, nearDepth, nearDepth + 0.08));
+      midpoint64::castSlab(scene, midpoint64::vec2(0.5), (nearDepth + 0.04) * perDepth, perDepth,
+        slabRay, nearDepth, nearDepth + 0.08));
   }
   EXPECT_NEAR(gathered.w, expected.w, 1e-9);
   EXPECT_NEAR(gathered.x, expected.x, 1e-9);

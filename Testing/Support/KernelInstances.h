@@ -59,6 +59,32 @@
 #define WITH_PREINTEGRATED 1
 #include "Scene/KernelInstance.h"
 
+#define KERNEL_NAMESPACE jitter64
+#define KERNEL_REAL double
+#define WITH_MIDPOINT 1
+#define WITH_JITTER 1
+#include "Scene/KernelInstance.h"
+
+#define KERNEL_NAMESPACE jitter32
+#define KERNEL_REAL float
+#define WITH_MIDPOINT 1
+#define WITH_JITTER 1
+#include "Scene/KernelInstance.h"
+
+#define KERNEL_NAMESPACE jitteredBorders64
+#define KERNEL_REAL double
+#define WITH_MIDPOINT 1
+#define WITH_PREINTEGRATED 1
+#define WITH_JITTER 1
+#include "Scene/KernelInstance.h"
+
+#define KERNEL_NAMESPACE jitteredMaximum64
+#define KERNEL_REAL double
+#define WITH_MIDPOINT 1
+#define WITH_MAXIMUM_BLEND 1
+#define WITH_JITTER 1
+#include "Scene/KernelInstance.h"
+
 #define KERNEL_NAMESPACE maximum64
 #define KERNEL_REAL double
 #define WITH_MIDPOINT 1

@@ -54,6 +54,8 @@ std::vector<FeatureRow> SamplingRows()
       "the integrator or the blend mode is another",
       [](const Scene& s)
       { return s.Sampling.Integration == Integrator::PreIntegrated && Composites(s); } },
+    { Feature::Jitter, "jitter", "WITH_JITTER", "jitter is off or the technique has no steps",
+      [](const Scene& s) { return s.Sampling.Jitter; } },
     { Feature::Termination, "termination", "WITH_TERMINATION",
       "the threshold is 0 or the blend mode is Average",
       [](const Scene& s)
@@ -156,9 +158,20 @@ double KernelStepVoxels(const Scene& scene)
   return segments ? 2.0 * scene.Sampling.StepVoxels : scene.Sampling.StepVoxels;
 }
 
+bool MovesBorders(const FeatureSet& features)
+{
+  const bool extremes =
+    Has(features, Feature::MaximumBlend) || Has(features, Feature::MinimumBlend);
+  const bool hides = Has(features, Feature::Blanking) || Has(features, Feature::CropRegions);
+  return Has(features, Feature::Jitter) &&
+    (Has(features, Feature::Segment) || Has(features, Feature::PreIntegrated) ||
+      (extremes && !hides));
+}
+
 double LongestRaySteps(const Scene& scene)
 {
-  return 2.0 * glm::length(scene.Volume.BoxHalf) / scene.Sampling.StepVoxels;
+  const double moved = scene.Sampling.Jitter ? 1.0 : 0.0;
+  return 2.0 * glm::length(scene.Volume.BoxHalf) / scene.Sampling.StepVoxels + moved;
 }
 
 std::string GlslHead(bool compute, const FeatureSet& features)

@@ -20,6 +20,7 @@ enum class Feature
   Segment,
   StiffSteps,
   PreIntegrated,
+  Jitter,
   Termination,
   Compensation,
   OpaqueDepth,
@@ -67,6 +68,10 @@ VOLUMEBENCHENGINE_EXPORT std::string FeatureDefines(const FeatureSet& features);
 /// Voxels that the kernel takes as one step: twice the scene's for Segment, which has a sample in
 /// the middle of each.
 VOLUMEBENCHENGINE_EXPORT double KernelStepVoxels(const Scene& scene);
+
+/// Whether jitter moves the borders between steps, and not the samples in them: BORDERS_MOVE in
+/// Shared/Integrate.h.
+VOLUMEBENCHENGINE_EXPORT bool MovesBorders(const FeatureSet& features);
 
 /// Steps of the longest ray that a scene can have.
 VOLUMEBENCHENGINE_EXPORT double LongestRaySteps(const Scene& scene);

@@ -40,6 +40,7 @@ using real = KERNEL_REAL;
 #undef REAL
 #undef TO_REAL
 #undef TO_INT
+#undef TO_UINT
 #undef VEC3
 #undef VEC4
 #undef SCENE_BLOCK_BEGIN
@@ -48,6 +49,7 @@ using real = KERNEL_REAL;
 #undef CLIP_PLANE_LIMIT
 #undef EXTREME_OF_ENDS
 #undef BETWEEN_ENDS
+#undef BORDERS_MOVE
 #undef SAMPLES_OF_STEP
 
 // Every feature of Scene/Features.cxx; the Kernels tests notice one that is missing here.
@@ -55,6 +57,7 @@ using real = KERNEL_REAL;
 #undef WITH_SEGMENT
 #undef WITH_STIFF_STEPS
 #undef WITH_PREINTEGRATED
+#undef WITH_JITTER
 #undef WITH_COMPENSATION
 #undef WITH_TERMINATION
 #undef WITH_OPAQUE_DEPTH

@@ -270,7 +270,8 @@ SceneBlock64 PackScene(const Scene& scene)
   PackExtremes(scene, block);
   PackGradientOpacity(scene, block);
   block.sampling = { KernelStepVoxels(scene), 1.0 - scene.Sampling.TerminationThreshold,
-    scene.TransferFunction.UnitDistance, 0.0 };
+    scene.TransferFunction.UnitDistance,
+    scene.Sampling.Jitter ? static_cast<double>(scene.Sampling.JitterSeed) : 0.0 };
   PackLighting(scene, block);
   return block;
 }

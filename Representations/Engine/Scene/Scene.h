@@ -140,9 +140,9 @@ struct Camera
 
 enum class Integrator
 {
-  Left = 0,         // sample at the beginning of a step, first order (as VTK's mapper)
-  Midpoint = 1,     // sample in its middle, second order
-  Segment = 2,      // prefix integrals between its ends, second order or better, exact for narrow peaks
+  Left = 0,     // sample at the beginning of a step, first order (as VTK's mapper)
+  Midpoint = 1, // sample in its middle, second order
+  Segment = 2,  // prefix integrals between its ends, second order or better, exact for narrow peaks
   PreIntegrated = 3 // table over the values at both ends of a step
 };
 
@@ -185,7 +185,9 @@ struct Sampling
   Integrator Integration = Integrator::Midpoint;
   RaySetUp SetUp = RaySetUp::Rasterised;
   double StepVoxels = 0.5;
-  int TableSize = 0; // entries of the transfer-function table; 0: as many as it needs
+  bool Jitter = false; // move each pixel's steps by a random share of one
+  int JitterSeed = 0;  // 0 to MostJitterSeed
+  int TableSize = 0;   // entries of the transfer-function table; 0: as many as it needs
   double TerminationThreshold = 0.0; // remaining transmittance at which a ray stops
   glm::ivec2 WorkGroup{ 0 };         // pixels of a compute work group; 0: to be found by measuring
   Slicing Slices;
@@ -260,6 +262,9 @@ constexpr unsigned char HiddenCellBits =
   vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::DUPLICATECELL;
 
 constexpr int MostSliceThreads = 16;
+
+/// Seeds travel in a float, which holds whole numbers up to here.
+constexpr int MostJitterSeed = 16777215;
 
 /// The smallest step that is drawn; a shorter one would only hang the machine.
 constexpr double SmallestStepVoxels = 1.0 / 1024.0;

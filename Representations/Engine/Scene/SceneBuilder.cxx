@@ -72,6 +72,8 @@ Sampling BuildSampling(vtkVolumeBenchMapper* mapper)
   sampling.SetUp = static_cast<RaySetUp>(mapper->GetRaySetUp());
   sampling.StepVoxels = mapper->GetStepVoxels();
   sampling.TerminationThreshold = mapper->GetTerminationThreshold();
+  sampling.Jitter = mapper->GetJitter();
+  sampling.JitterSeed = mapper->GetJitterSeed();
   sampling.TableSize = mapper->GetTableSize();
   sampling.WorkGroup = WorkGroupOf(mapper->GetWorkGroupShape());
   sampling.Slices = BuildSlicing(mapper);
@@ -86,6 +88,11 @@ Sampling BuildSampling(vtkVolumeBenchMapper* mapper)
   {
     throw SceneError("the termination threshold is " +
       std::to_string(sampling.TerminationThreshold) + "; it must be in [0, 1)");
+  }
+  if (sampling.JitterSeed < 0 || sampling.JitterSeed > MostJitterSeed)
+  {
+    throw SceneError("the jitter seed is " + std::to_string(sampling.JitterSeed) +
+      "; it must be from 0 to " + std::to_string(MostJitterSeed));
   }
   return sampling;
 }

@@ -125,6 +125,11 @@ SlabSeries MakeSeries(
       " voxels makes more than " + std::to_string(MostSlabs) + " slices");
   }
   series.Count = std::max(0, static_cast<int>(after - before));
+  if (MovesBorders(FeaturesNeededBy(scene)) && series.Count > 0)
+  {
+    series.Shift = series.Spacing;
+    ++series.Count; // the last slab may leave the far end
+  }
   return series;
 }
 }
@@ -134,7 +139,8 @@ bool SliceView::operator==(const SliceView& other) const
   return this->VoxelToClip == other.VoxelToClip && this->BoxHalf == other.BoxHalf &&
     this->DepthGradient == other.DepthGradient && this->MiddleDepth == other.MiddleDepth &&
     this->Slabs.First == other.Slabs.First && this->Slabs.Spacing == other.Slabs.Spacing &&
-    this->Slabs.Nearest == other.Slabs.Nearest && this->Slabs.Count == other.Slabs.Count;
+    this->Slabs.Shift == other.Slabs.Shift && this->Slabs.Nearest == other.Slabs.Nearest &&
+    this->Slabs.Count == other.Slabs.Count;
 }
 
 SliceView MakeSliceView(const Scene& scene, const glm::ivec4& rectangle)
@@ -271,10 +277,10 @@ int MakePolygon(const SliceView& view, const SlabCorners& corners, int slab, Sli
   glm::dvec2 hull[MostPoints + 1];
   glm::dvec2 widened[4 * MostPoints + 1];
   // Past the near plane a point may lie behind the eye, where it has no place on the screen; the
-  // series begins there, so only its first slab is cut.
+  // series begins there, so only its first slab is cut, or its first two where slabs are moved.
   const double nearDepth = view.Slabs.First + slab * view.Slabs.Spacing;
-  const int count = corners.Collect(
-    std::max(nearDepth, view.Slabs.Nearest), nearDepth + view.Slabs.Spacing, points);
+  const int count = corners.Collect(std::max(nearDepth - view.Slabs.Shift, view.Slabs.Nearest),
+    nearDepth + view.Slabs.Spacing, points);
   if (count < 3)
   {
     return 0;

@@ -20,6 +20,7 @@ struct SlabSeries
 {
   double First = 0.0;
   double Spacing = 1.0;
+  double Shift = 0.0;   // by which jitter may move a pixel's slabs towards the eye, at most
   double Nearest = 0.0; // the near plane or the box, whichever is farther: slabs are cut there
   int Count = 0;
 };
