@@ -62,6 +62,15 @@ int CountOf(const std::string& name, const std::string& text)
   return static_cast<int>(number);
 }
 
+bool SwitchOf(const std::string& name, const std::string& text)
+{
+  if (text != "0" && text != "1")
+  {
+    throw std::runtime_error("the setting " + name + " is '" + text + "'; it must be 0 or 1");
+  }
+  return text == "1";
+}
+
 struct SettingRow
 {
   const char* Name;
@@ -73,6 +82,11 @@ const SettingRow Rows[] = {
   { "termination_threshold", true,
     [](TechniqueSettings& s, const std::string& text)
     { s.TerminationThreshold = NumberOf("termination_threshold", text); } },
+  { "jitter", true,
+    [](TechniqueSettings& s, const std::string& text) { s.Jitter = SwitchOf("jitter", text); } },
+  { "jitter_seed", true,
+    [](TechniqueSettings& s, const std::string& text)
+    { s.JitterSeed = CountOf("jitter_seed", text); } },
   { "table_size", true,
     [](TechniqueSettings& s, const std::string& text)
     { s.TableSize = CountOf("table_size", text); } },
@@ -181,6 +195,8 @@ void CheckTechniqueSettings(const TechniqueSettings& settings)
 void ApplySettings(const TechniqueSettings& settings, vtkVolumeBenchMapper& mapper)
 {
   mapper.SetTerminationThreshold(settings.TerminationThreshold);
+  mapper.SetJitter(settings.Jitter);
+  mapper.SetJitterSeed(settings.JitterSeed);
   mapper.SetTableSize(settings.TableSize);
   mapper.SetWorkGroupShape(settings.WorkGroupShape.c_str());
   mapper.SetSliceExtent(settings.SliceExtent);

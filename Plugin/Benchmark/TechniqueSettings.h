@@ -17,6 +17,8 @@ namespace volumebench
 struct TechniqueSettings
 {
   double TerminationThreshold = 0.001;
+  bool Jitter = false;
+  int JitterSeed = 0;
   int TableSize = 0;
   std::string WorkGroupShape = "Auto";
   int SliceExtent = 0;
@@ -42,9 +44,9 @@ struct Variant
 };
 
 /// Reads "ID; name=value; name=value" with the names integrator, step_voxels,
-/// termination_threshold, table_size, work_group_shape, slice_extent, slice_threads, slice_target,
-/// slice_order and, for peers, sample_distance_voxels. Throws std::runtime_error that quotes what
-/// it cannot read.
+/// termination_threshold, jitter (0 or 1), jitter_seed, table_size, work_group_shape, slice_extent,
+/// slice_threads, slice_target, slice_order and, for peers, sample_distance_voxels. Throws
+/// std::runtime_error that quotes what it cannot read.
 VOLUMEBENCHBENCHMARK_EXPORT Variant ParseVariant(const std::string& text);
 
 /// `settings` with the values of a variant in place. Throws for unknown names and values.

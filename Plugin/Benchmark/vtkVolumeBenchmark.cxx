@@ -169,6 +169,8 @@ volumebench::ExperimentSettings vtkVolumeBenchmark::MakeSettings() const
   settings.StepsVoxels = this->Steps;
   settings.RaySetUp = this->RaySetUp;
   settings.Own.TerminationThreshold = this->TerminationThreshold;
+  settings.Own.Jitter = this->Jitter;
+  settings.Own.JitterSeed = this->JitterSeed;
   settings.Own.WorkGroupShape = this->WorkGroupShape;
   settings.Own.SliceExtent = this->SliceExtent;
   settings.Own.SliceThreads = this->SliceThreads;

@@ -85,6 +85,10 @@ public:
   vtkGetMacro(TerminationThreshold, double);
   vtkSetMacro(RaySetUp, int);
   vtkGetMacro(RaySetUp, int);
+  vtkSetMacro(Jitter, bool);
+  vtkGetMacro(Jitter, bool);
+  vtkSetMacro(JitterSeed, int);
+  vtkGetMacro(JitterSeed, int);
   vtkSetMacro(VectorMode, int);
   vtkGetMacro(VectorMode, int);
   vtkSetMacro(VectorComponent, int);
@@ -197,6 +201,8 @@ protected:
   int ImageSize[2] = { 500, 500 };
   double ScalarOpacityUnitDistance = 0.0;
   double TerminationThreshold = 0.001;
+  bool Jitter = false;
+  int JitterSeed = 0;
   int RaySetUp = 1;
   int VectorMode = 0;
   int VectorComponent = 0;

@@ -71,6 +71,7 @@ class ViewStage:
             display.StepVoxels = sampling.step_voxels
             display.TerminationThreshold = sampling.termination_threshold
             display.RaySetUp = self._study.ray_set_up
+            display.Jitter = 0  # another run may have left it on
             if sampling.reference_method is not None:
                 _set(display, "ReferenceMethod", sampling.reference_method)
             for name, value in sampling.settings:

@@ -42,6 +42,11 @@ TECHNIQUE_SETTINGS = {
         *("TerminationThreshold", _CASTING, (), "a number from 0 to 0.999999"),
         *(float, (0, 0.999999)),
     ),
+    "jitter": TechniqueSetting("Jitter", _CASTING + _SLICING, (0, 1)),
+    "jitter_seed": TechniqueSetting(
+        *("JitterSeed", _CASTING + _SLICING, (), "a whole number from 0 to 16777215"),
+        *(int, (0, 16777215)),
+    ),
     "table_size": TechniqueSetting(
         *("TableSize", _CASTING + _SLICING, (), "a whole number from 0 to 65536"),
         *(int, (0, 65536)),

@@ -63,6 +63,8 @@ vtkVolumeBenchForwardMacro(Integrator, int);
 vtkVolumeBenchForwardMacro(StepVoxels, double);
 vtkVolumeBenchForwardMacro(TerminationThreshold, double);
 vtkVolumeBenchForwardMacro(RaySetUp, int);
+vtkVolumeBenchForwardMacro(Jitter, bool);
+vtkVolumeBenchForwardMacro(JitterSeed, int);
 vtkVolumeBenchForwardMacro(WorkGroupShape, const char*);
 vtkVolumeBenchForwardMacro(SliceExtent, int);
 vtkVolumeBenchForwardMacro(SliceOrder, int);

@@ -57,6 +57,8 @@ public:
   void SetStepVoxels(double step);
   void SetTerminationThreshold(double threshold);
   void SetRaySetUp(int setUp);
+  void SetJitter(bool jitter);
+  void SetJitterSeed(int seed);
   void SetWorkGroupShape(const char* shape);
   void SetSliceExtent(int extent);
   void SetSliceOrder(int order);

@@ -247,6 +247,7 @@ def check_settings_out_of_range() -> None:
             "termination threshold",
         ),
         ("ScalarOpacityUnitDistance", (0.0, -1.0), "unit distance"),
+        ("JitterSeed", (-1, 16777216), "jitter seed"),
     ):
         usable = display.GetProperty(name).GetData()
         for value in values:

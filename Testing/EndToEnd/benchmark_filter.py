@@ -107,6 +107,21 @@ def check_blend_modes() -> None:
     assert "Gradient" in table.GetColumnByName("reason").GetValue(0)
 
 
+def check_jitter() -> None:
+    """The property and a variant mean the same, and both are off by default."""
+
+    def features(**settings: Any) -> list[str]:
+        bench = benchmark(wavelet(8))
+        for name, value in settings.items():
+            setattr(bench, name, value)
+        table = expect_rows(bench, 1)
+        return table.GetColumnByName("features").GetValue(0).split()
+
+    assert "jitter" not in features()
+    assert "jitter" in features(Jitter=1, JitterSeed=5)
+    assert "jitter" in features(Variants=["single-pass; jitter=1; jitter_seed=5"])
+
+
 def check_variants() -> None:
     bench = benchmark(wavelet(8))
     bench.Variants = [f"single-pass; slice_threads={count}" for count in (1, 4)]

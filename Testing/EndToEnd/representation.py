@@ -198,6 +198,19 @@ def check_settings_take_effect() -> None:
         check_differs(before, capture(view), "TerminationThreshold")
         display.TerminationThreshold = threshold
 
+    display.Jitter = 1
+    if exact:
+        assert rmse(before, capture(view)) == 0, "the exact picture depends on Jitter"
+    else:
+        jittered = capture(view)
+        check_differs(before, jittered, "Jitter", 1e-4)
+        display.JitterSeed = 1
+        check_differs(jittered, capture(view), "JitterSeed", 1e-4)
+        display.JitterSeed = 0
+        assert rmse(jittered, capture(view)) == 0, "a seed gave two pictures"
+    display.Jitter = 0
+    assert rmse(before, capture(view)) == 0, "Jitter off gave another picture"
+
     assert display.RaySetUp == "Rasterised"
     display.RaySetUp = "Box"
     difference = np.abs(capture(view) - before).max(axis=2)

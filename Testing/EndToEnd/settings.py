@@ -32,6 +32,8 @@ OURS = {
     "TechniqueBlendMode": "Gradient",
     "TerminationThreshold": 0.01,
     "RaySetUp": "Box",
+    "Jitter": 1,
+    "JitterSeed": 7,
     "LightingDamping": 0.25,
     "GradientOpacity": 1,
     "GradientOpacityRange": [1.5, 40.0],

@@ -30,6 +30,8 @@ SETTINGS = {
     "Integrator": "Left",
     "TerminationThreshold": 0.01,
     "RaySetUp": "Box",
+    "Jitter": 1,
+    "JitterSeed": 7,
     "Shade": 1,
     "ScalarOpacityUnitDistance": 3.0,
     "TechniqueBlendMode": "Gradient",

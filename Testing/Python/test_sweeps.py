@@ -137,6 +137,8 @@ def test_faults_of_sweeps_are_named(write_json, swept, change, expected):
     [
         ("termination_threshold", [0, 0.001, 0.9], [-0.1, 1.0, "0.1", True]),
         ("table_size", [0, 64], [-1, 64.5, "64", 10**9]),
+        ("jitter", [0, 1], [2, True, "1", 0.5]),
+        ("jitter_seed", [0, 16777215], [-1, 16777216, 0.5, "1", True]),
         ("sample_distance_voxels", [0.0625, 1, 4.0], [0, 101, None]),
     ],
 )

@@ -95,6 +95,36 @@ TEST(Features, ProjectionsLeaveOutWhatOnlyCompositingNeeds)
   EXPECT_EQ(with(BlendMode::Gradient), gradient);
 }
 
+TEST(Features, JitterMovesBordersOnlyOfWhatIsTakenFromBothEnds)
+{
+  const auto moves = [](Integrator integrator, BlendMode mode, bool blanks)
+  {
+    Scene scene;
+    scene.Sampling.Jitter = true;
+    scene.Sampling.Integration = integrator;
+    scene.Compositing.Mode = mode;
+    scene.Volume.HasNonFinite = blanks;
+    EXPECT_TRUE(Has(FeaturesNeededBy(scene), Feature::Jitter));
+    const bool moved = MovesBorders(FeaturesNeededBy(scene));
+    scene.Sampling.Jitter = false;
+    EXPECT_FALSE(MovesBorders(FeaturesNeededBy(scene)));
+    return moved;
+  };
+  for (const Integrator sampling : { Integrator::Left, Integrator::Midpoint })
+  {
+    EXPECT_FALSE(moves(sampling, BlendMode::Composite, false));
+    EXPECT_FALSE(moves(sampling, BlendMode::Average, false));
+    EXPECT_TRUE(moves(sampling, BlendMode::Maximum, false));
+    EXPECT_FALSE(moves(sampling, BlendMode::Minimum, true)) << "the middle speaks for the step";
+  }
+  for (const Integrator between : { Integrator::Segment, Integrator::PreIntegrated })
+  {
+    EXPECT_TRUE(moves(between, BlendMode::Composite, true));
+    EXPECT_TRUE(moves(between, BlendMode::Gradient, false));
+    EXPECT_FALSE(moves(between, BlendMode::Average, false));
+  }
+}
+
 TEST(Features, HiddenPartsAndChannels)
 {
   EXPECT_EQ(NamesOf([](Scene& s) { s.Volume.HasNonFinite = true; }), Names{ "blanking" });

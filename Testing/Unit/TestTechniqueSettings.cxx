@@ -80,6 +80,19 @@ TEST(TechniqueSettings, NumbersAreReadWhole)
   EXPECT_NE(FaultOf("vtk-gpu; sample_distance_voxels=0").find("at least"), std::string::npos);
 }
 
+TEST(TechniqueSettings, JitterIsASwitchAndASeed)
+{
+  const Variant variant = ParseVariant("slices; jitter=1; jitter_seed=12");
+  const TechniqueSettings settings = WithValues({}, variant.Values);
+  EXPECT_TRUE(settings.Jitter);
+  EXPECT_EQ(settings.JitterSeed, 12);
+  EXPECT_EQ(SettingsJson(variant.Values), "{\"jitter\": 1, \"jitter_seed\": 12}");
+  EXPECT_FALSE(TechniqueSettings().Jitter);
+  EXPECT_FALSE(WithValues(settings, ParseVariant("slices; jitter=0").Values).Jitter);
+  EXPECT_NE(FaultOf("slices; jitter=2").find("'2'; it must be 0 or 1"), std::string::npos);
+  EXPECT_NE(FaultOf("slices; jitter_seed=0.5").find("no count"), std::string::npos);
+}
+
 TEST(RunPlan, IsTheProductButForWhatVariantsName)
 {
   ExperimentSettings settings;
