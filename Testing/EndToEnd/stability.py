@@ -29,13 +29,13 @@ def check_rows() -> None:
     source = simple.VolumeStability()
     source.Techniques = ["single-pass", "vtk-gpu"]
     source.Integrators = ["Left", "Midpoint"]
-    source.Cases = [2, 32]
+    source.Cases = [2, 30]
     rows = rows_of(source)
     assert not ERRORS.messages, ERRORS.take()
     found = [(row["case"], row["technique"], row["integrator"]) for row in rows]
     assert found == [
         (case, *who)
-        for case in ("2", "32")
+        for case in ("2", "30")
         for who in (
             ("single-pass", "Left"),
             ("single-pass", "Midpoint"),
@@ -44,7 +44,7 @@ def check_rows() -> None:
     ], found
     assert [row["status"] for row in rows[:2]] == ["fail", "pass"], rows
     assert float(rows[1]["error"]) <= float(rows[1]["limit"]) == 1e-6
-    assert {row["status"] for row in rows[3:]} == {"not-applicable"}
+    assert [row["status"] for row in rows[3:]] == ["pass", "pass", "not-applicable"]
     assert all(row["reason"].endswith(".") for row in rows)
 
 

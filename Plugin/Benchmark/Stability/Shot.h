@@ -16,6 +16,7 @@
 #include <functional>
 
 class vtkVolumeBenchMapper;
+class vtkVolumeMapper;
 
 namespace volumebench
 {
@@ -36,6 +37,8 @@ struct Shot
   std::array<double, 2> ViewportCorner{ 0.0, 0.0 }; // share of the window left of and below it
   /// Sets what only our mapper has; not called for peers.
   std::function<void(vtkVolumeBenchMapper&)> Adjust;
+  /// The same for peers, and not called for ours.
+  std::function<void(vtkVolumeMapper&)> AdjustPeer;
 };
 }
 

@@ -142,6 +142,10 @@ void Trial::ArrangeMapper(const Shot& shot)
   vtkVolumeBenchMapper* ours = this->GetMapper();
   if (!ours)
   {
+    if (shot.AdjustPeer)
+    {
+      shot.AdjustPeer(*mapper);
+    }
     return;
   }
   ours->SetIntegrator(std::max(this->Tried.Integrator, 0));
