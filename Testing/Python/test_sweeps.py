@@ -240,6 +240,14 @@ def test_error_vs_time_covers_what_it_is_for():
         for scene in version.scenes():
             count = sum(run.scene == scene for run in runs)
             assert count < 120, "one axis at a time, not their product"
+        # Curves are densest at the steps that people use.
+        for integrator in ("Midpoint", "Segment"):
+            near = {
+                run.step_voxels
+                for run in runs
+                if (run.technique, run.integrator) == ("single-pass", integrator)
+            }
+            assert near >= {1.5, 1.25, 1, 0.75, 0.5}
     steps = {run.step_voxels for run in study.runs() if run.step_voxels}
     assert (max(steps), min(steps)) == (4, 1 / 64)
     assert study.timing.minimum_frames >= 10
