@@ -122,6 +122,16 @@ TEST_P(Estimates, AreTheErrorOfThePicture)
   scene.ExpectTrueEstimate("in a corner of the window");
 }
 
+TEST_P(Estimates, SayWhetherThereIsJitter)
+{
+  BumpyScene scene(GetParam());
+  EXPECT_EQ(scene.Estimate().Text.find("jitter"), std::string::npos);
+  scene.Mapper->JitterOn();
+  EXPECT_TRUE(IsOutdated(scene.Mapper->GetErrorEstimate())) << "the picture is another now";
+  const ErrorEstimate estimate = scene.Estimate();
+  EXPECT_NE(estimate.Text.find(", jitter;"), std::string::npos) << estimate.Text;
+}
+
 TEST_P(Estimates, SeeGeometryInFrontAndNotItself)
 {
   BumpyScene scene(GetParam());

@@ -1,5 +1,7 @@
 #include "RandomScene.h"
 
+#include "Scene/Scene.h"
+
 #include "vtkCellData.h"
 #include "vtkColorTransferFunction.h"
 #include "vtkDataArray.h"
@@ -25,6 +27,13 @@ RandomScene::RandomScene(unsigned seed, const std::string& technique)
   this->DrawSampling(technique);
   this->DrawSurroundings();
   this->DrawCamera();
+  if (this->Chance(0.3))
+  {
+    const int seed = this->Whole(0, MostJitterSeed);
+    this->Scene->Mapper->JitterOn();
+    this->Scene->Mapper->SetJitterSeed(seed);
+    this->Text += ", jitter " + std::to_string(seed);
+  }
 }
 
 double RandomScene::Uniform(double low, double high)

@@ -42,7 +42,8 @@ std::string SettingsOf(vtkVolumeBenchMapper* mapper)
   const auto integrator = static_cast<std::size_t>(mapper->GetIntegrator());
   char step[40];
   std::snprintf(step, sizeof(step), "%g", mapper->GetStepVoxels());
-  return std::string(integrators.at(integrator)) + ", step " + step;
+  return std::string(integrators.at(integrator)) + ", step " + step +
+    (mapper->GetJitter() ? ", jitter" : "");
 }
 
 std::string SummaryOf(const ImageError& error, vtkVolumeBenchMapper* mapper)
