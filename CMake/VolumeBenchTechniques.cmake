@@ -4,8 +4,8 @@
 # in ParaView's list, its panel, and a case in every image test. SETTINGS are the properties that
 # the panel shows for this technique and not for all.
 set(volumebench_technique_ids "")
-set(volumebench_technique_settings TerminationThreshold RaySetUp Jitter JitterSeed WorkGroupShape
-  SliceExtent SliceOrder SliceTarget SliceThreads)
+set(volumebench_technique_settings Skipping TerminationThreshold RaySetUp Jitter JitterSeed
+  WorkGroupShape SliceExtent SliceOrder SliceTarget SliceThreads)
 
 function(volumebench_technique id)
   cmake_parse_arguments(PARSE_ARGV 1 row "" "CLASS;LABEL" "SETTINGS")

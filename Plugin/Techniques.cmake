@@ -1,13 +1,13 @@
 # The list of techniques: one row each, and the only existing file that a new technique edits.
 # The order is the order in ParaView's menus. CONTRIBUTING.md tells how to add one.
 volumebench_technique(single-pass CLASS SinglePass LABEL "Volume Single Pass"
-  SETTINGS TerminationThreshold RaySetUp Jitter JitterSeed)
+  SETTINGS Skipping TerminationThreshold RaySetUp Jitter JitterSeed)
 volumebench_technique(multi-pass CLASS MultiPass LABEL "Volume Multi Pass"
-  SETTINGS TerminationThreshold Jitter JitterSeed)
+  SETTINGS Skipping TerminationThreshold Jitter JitterSeed)
 volumebench_technique(compute CLASS ComputeRayCast LABEL "Volume Compute"
-  SETTINGS TerminationThreshold RaySetUp Jitter JitterSeed WorkGroupShape)
+  SETTINGS Skipping TerminationThreshold RaySetUp Jitter JitterSeed WorkGroupShape)
 volumebench_technique(slices CLASS Slices LABEL "Volume Slices"
-  SETTINGS Jitter JitterSeed SliceExtent SliceOrder SliceTarget)
+  SETTINGS Skipping Jitter JitterSeed SliceExtent SliceOrder SliceTarget)
 volumebench_technique(slices-threaded CLASS SlicesThreaded LABEL "Volume Slices Threaded"
-  SETTINGS Jitter JitterSeed SliceExtent SliceOrder SliceTarget SliceThreads)
+  SETTINGS Skipping Jitter JitterSeed SliceExtent SliceOrder SliceTarget SliceThreads)
 volumebench_technique(reference CLASS Reference LABEL "Volume Reference")

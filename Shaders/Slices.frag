@@ -5,15 +5,12 @@
 uniform sampler2D slabRayTexture;
 
 flat in vec2 slabDepths;
-in vec3 texturePosition;
-in vec3 texturePerDepth;
 
 out vec4 fragmentColor;
 
 void main()
 {
   vec4 slabRay = texelFetch(slabRayTexture, ivec2(gl_FragCoord.xy), 0);
-  vec2 pixel = gl_FragCoord.xy + scene.rectangle.xy;
   fragmentColor =
-    castSlab(pixel, texturePosition, texturePerDepth, slabRay, slabDepths.x, slabDepths.y);
+    castSlab(gl_FragCoord.xy + scene.rectangle.xy, slabRay, slabDepths.x, slabDepths.y);
 }

@@ -64,17 +64,19 @@ int CountOf(const std::string& name, const std::string& text)
 
 bool SwitchOf(const std::string& name, const std::string& text)
 {
-  if (text != "0" && text != "1")
+  const bool on = text == "true" || text == "1";
+  if (!on && text != "false" && text != "0")
   {
-    throw std::runtime_error("the setting " + name + " is '" + text + "'; it must be 0 or 1");
+    throw std::runtime_error(
+      "the setting " + name + " is '" + text + "'; it must be true or false");
   }
-  return text == "1";
+  return on;
 }
 
 struct SettingRow
 {
   const char* Name;
-  bool IsNumber; // in JSON
+  bool IsNumber; // or true or false, in JSON
   Setter Set;
 };
 
@@ -90,6 +92,11 @@ const SettingRow Rows[] = {
   { "table_size", true,
     [](TechniqueSettings& s, const std::string& text)
     { s.TableSize = CountOf("table_size", text); } },
+  { "skipping", true,
+    [](TechniqueSettings& s, const std::string& text) { s.Skipping = SwitchOf("skipping", text); } },
+  { "macrocell_voxels", true,
+    [](TechniqueSettings& s, const std::string& text)
+    { s.MacrocellVoxels = CountOf("macrocell_voxels", text); } },
   { "work_group_shape", false,
     [](TechniqueSettings& s, const std::string& text) { s.WorkGroupShape = text; } },
   { "slice_extent", false,
@@ -198,6 +205,8 @@ void ApplySettings(const TechniqueSettings& settings, vtkVolumeBenchMapper& mapp
   mapper.SetJitter(settings.Jitter);
   mapper.SetJitterSeed(settings.JitterSeed);
   mapper.SetTableSize(settings.TableSize);
+  mapper.SetSkipping(settings.Skipping);
+  mapper.SetMacrocellVoxels(settings.MacrocellVoxels);
   mapper.SetWorkGroupShape(settings.WorkGroupShape.c_str());
   mapper.SetSliceExtent(settings.SliceExtent);
   mapper.SetSliceThreads(settings.SliceThreads);

@@ -20,6 +20,8 @@ struct TechniqueSettings
   bool Jitter = false;
   int JitterSeed = 0;
   int TableSize = 0;
+  bool Skipping = true;
+  int MacrocellVoxels = 0;
   std::string WorkGroupShape = "Auto";
   int SliceExtent = 0;
   int SliceThreads = 0;
@@ -44,7 +46,8 @@ struct Variant
 };
 
 /// Reads "ID; name=value; name=value" with the names integrator, step_voxels,
-/// termination_threshold, jitter (0 or 1), jitter_seed, table_size, work_group_shape, slice_extent,
+/// termination_threshold, skipping (true or false), macrocell_voxels, jitter (true or false),
+/// jitter_seed, table_size, work_group_shape, slice_extent,
 /// slice_threads, slice_target, slice_order and, for peers, sample_distance_voxels. Throws
 /// std::runtime_error that quotes what it cannot read.
 VOLUMEBENCHBENCHMARK_EXPORT Variant ParseVariant(const std::string& text);

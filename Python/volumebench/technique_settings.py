@@ -51,6 +51,11 @@ TECHNIQUE_SETTINGS = {
         *("TableSize", _CASTING + _SLICING, (), "a whole number from 0 to 65536"),
         *(int, (0, 65536)),
     ),
+    "skipping": TechniqueSetting("Skipping", _CASTING + _SLICING, (True, False)),
+    "macrocell_voxels": TechniqueSetting(
+        *("MacrocellVoxels", _CASTING + _SLICING, (), "a whole number from 0 to 64"),
+        *(int, (0, 64)),
+    ),
     "work_group_shape": TechniqueSetting(
         "WorkGroupShape", ("compute",), (), "Auto, or WIDTHxHEIGHT such as 16x8"
     ),
@@ -92,14 +97,21 @@ def variant_text(
     sampling = (("integrator", integrator), ("step_voxels", step_voxels))
     given = [item for item in sampling if item[1] is not None]
     return "; ".join(
-        [technique, *(f"{name}={value}" for name, value in (*given, *settings))]
+        [technique, *(f"{name}={_plain(value)}" for name, value in (*given, *settings))]
     )
+
+
+def _plain(value: Any) -> str:
+    """Return a value as JSON has it."""
+    return str(value).lower() if isinstance(value, bool) else str(value)
 
 
 def value_text(name: str, value: Any) -> str:
     """Return a value for readers: of 0 threads or table entries there are as many as it takes."""
-    automatic = name in ("slice_threads", "table_size") and value == 0
-    return "auto" if automatic else str(value)
+    if isinstance(value, bool):
+        return "on" if value else "off"
+    automatic = name in ("slice_threads", "table_size", "macrocell_voxels")
+    return "auto" if automatic and value == 0 else str(value)
 
 
 def settings_text(settings: dict[str, Any]) -> str:

@@ -220,6 +220,8 @@ void vtkVolumeBenchMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Jitter: " << this->Jitter << "\n";
   os << indent << "JitterSeed: " << this->JitterSeed << "\n";
   os << indent << "TableSize: " << this->TableSize << "\n";
+  os << indent << "Skipping: " << this->Skipping << "\n";
+  os << indent << "MacrocellVoxels: " << this->MacrocellVoxels << "\n";
   os << indent << "TerminationThreshold: " << this->TerminationThreshold << "\n";
   os << indent << "RaySetUp: " << this->RaySetUp << "\n";
   os << indent << "WorkGroupShape: " << this->WorkGroupShape << "\n";

@@ -62,6 +62,8 @@ void vtkVolumeBenchRepresentation::SetRepresentation(const char* technique)
 vtkVolumeBenchForwardMacro(Integrator, int);
 vtkVolumeBenchForwardMacro(StepVoxels, double);
 vtkVolumeBenchForwardMacro(TerminationThreshold, double);
+vtkVolumeBenchForwardMacro(Skipping, bool);
+vtkVolumeBenchForwardMacro(MacrocellVoxels, int);
 vtkVolumeBenchForwardMacro(RaySetUp, int);
 vtkVolumeBenchForwardMacro(Jitter, bool);
 vtkVolumeBenchForwardMacro(JitterSeed, int);

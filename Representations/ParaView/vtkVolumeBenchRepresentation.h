@@ -56,6 +56,8 @@ public:
   void SetIntegrator(int integrator);
   void SetStepVoxels(double step);
   void SetTerminationThreshold(double threshold);
+  void SetSkipping(bool skipping);
+  void SetMacrocellVoxels(int edge);
   void SetRaySetUp(int setUp);
   void SetJitter(bool jitter);
   void SetJitterSeed(int seed);

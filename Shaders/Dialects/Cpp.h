@@ -46,6 +46,8 @@ struct BackendScene : SceneBlock
   std::function<vec4(real, real)> segmentTable;
   std::function<real(real)> gradientTable;
   std::function<int(int, int, int)> blanking; // by cell
+  std::function<int(int, int, int)> cellCode; // by macrocell
+  std::function<real(int, int, int)> cellExtreme;
 };
 
 FUNC real fieldAt(SCENE_PARAM vec3 position)
@@ -81,4 +83,14 @@ FUNC real gradientTableAt(SCENE_PARAM real coordinate)
 FUNC int blankingAt(SCENE_PARAM int x, int y, int z)
 {
   return scene.blanking(x, y, z);
+}
+
+FUNC int cellCodeAt(SCENE_PARAM int x, int y, int z)
+{
+  return scene.cellCode(x, y, z);
+}
+
+FUNC real cellExtremeAt(SCENE_PARAM int x, int y, int z)
+{
+  return scene.cellExtreme(x, y, z);
 }

@@ -36,6 +36,8 @@ struct BackendScene : SceneBlock
   cudaTextureObject_t segmentTexture;         // with WITH_PREINTEGRATED
   cudaTextureObject_t gradientOpacityTexture; // with WITH_GRADIENT_OPACITY
   cudaTextureObject_t blankingTexture;        // with WITH_BLANKING; not filtered nor normalized
+  cudaTextureObject_t cellCodeTexture;        // with WITH_SKIPPING, the same
+  cudaTextureObject_t cellExtremeTexture;     // with WITH_SKIPPING and an extreme, the same
 };
 
 #if WITH_DIRECT_COLOR || WITH_OPACITY_CHANNEL
@@ -92,5 +94,17 @@ FUNC real gradientTableAt(SCENE_PARAM real coordinate)
 FUNC int blankingAt(SCENE_PARAM int x, int y, int z)
 {
   return tex3D<unsigned char>(scene.blankingTexture, x + 0.5f, y + 0.5f, z + 0.5f);
+}
+#endif
+
+#if WITH_SKIPPING && (WITH_MAXIMUM_BLEND || WITH_MINIMUM_BLEND)
+FUNC real cellExtremeAt(SCENE_PARAM int x, int y, int z)
+{
+  return tex3D<float>(scene.cellExtremeTexture, x + 0.5f, y + 0.5f, z + 0.5f);
+}
+#elif WITH_SKIPPING
+FUNC int cellCodeAt(SCENE_PARAM int x, int y, int z)
+{
+  return tex3D<unsigned short>(scene.cellCodeTexture, x + 0.5f, y + 0.5f, z + 0.5f);
 }
 #endif

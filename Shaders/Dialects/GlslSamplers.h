@@ -63,3 +63,19 @@ int blankingAt(int x, int y, int z)
   return int(texelFetch(blankingTexture, cell, 0).x);
 }
 #endif
+
+#if WITH_SKIPPING && (WITH_MAXIMUM_BLEND || WITH_MINIMUM_BLEND)
+uniform sampler3D cellExtremeTexture;
+
+real cellExtremeAt(int x, int y, int z)
+{
+  return texelFetch(cellExtremeTexture, ivec3(x, y, z), 0).x;
+}
+#elif WITH_SKIPPING
+uniform usampler3D cellCodeTexture;
+
+int cellCodeAt(int x, int y, int z)
+{
+  return int(texelFetch(cellCodeTexture, ivec3(x, y, z), 0).x);
+}
+#endif

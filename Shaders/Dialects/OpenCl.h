@@ -38,10 +38,20 @@ typedef int4 ivec4;
 #define BLANKING_PARAM
 #define BLANKING
 #endif
+#if WITH_SKIPPING && (WITH_MAXIMUM_BLEND || WITH_MINIMUM_BLEND)
+#define CELLS_PARAM global const float *cellExtremes,
+#define CELLS cellExtremes,
+#elif WITH_SKIPPING
+#define CELLS_PARAM global const ushort *cellCodes,
+#define CELLS cellCodes,
+#else
+#define CELLS_PARAM
+#define CELLS
+#endif
 #define SCENE_PARAM                                                                                \
-  const SceneBlock scene, read_only image3d_t volumeImage,                                         \
-    read_only image2d_t tableImage, PREFIX_PARAM SEGMENT_PARAM GRADIENT_PARAM BLANKING_PARAM
-#define SCENE scene, volumeImage, tableImage, PREFIX SEGMENT GRADIENT BLANKING
+  const SceneBlock scene, read_only image3d_t volumeImage, read_only image2d_t tableImage,         \
+    PREFIX_PARAM SEGMENT_PARAM GRADIENT_PARAM BLANKING_PARAM CELLS_PARAM
+#define SCENE scene, volumeImage, tableImage, PREFIX SEGMENT GRADIENT BLANKING CELLS
 #define REAL(x) ((float)(x))
 #define TO_REAL(x) ((float)(x))
 #define TO_INT(x) ((int)(x))
@@ -115,4 +125,22 @@ FUNC int blankingAt(SCENE_PARAM int x, int y, int z)
 {
   return (int)read_imageui(blankingImage, texelSampler, (int4)(x, y, z, 0)).x;
 }
+#endif
+
+#if WITH_SKIPPING
+FUNC int cellIndexOf(const SceneBlock scene, int x, int y, int z)
+{
+  return x + ((int)scene.cells.x + 1) * (y + ((int)scene.cells.y + 1) * z);
+}
+#if WITH_MAXIMUM_BLEND || WITH_MINIMUM_BLEND
+FUNC real cellExtremeAt(SCENE_PARAM int x, int y, int z)
+{
+  return cellExtremes[cellIndexOf(scene, x, y, z)];
+}
+#else
+FUNC int cellCodeAt(SCENE_PARAM int x, int y, int z)
+{
+  return cellCodes[cellIndexOf(scene, x, y, z)];
+}
+#endif
 #endif

@@ -6,35 +6,6 @@
 // prefix integrals, PreIntegrated from a table over both values. Etiene et al., TVCG 2014, give the
 // orders.
 
-// Whether the extreme of a step is that of its two ends, which finds the ends of the ray exactly
-// and extremes between to second order. Next to hidden parts the middle speaks for the step.
-#if (WITH_MAXIMUM_BLEND || WITH_MINIMUM_BLEND) && !WITH_BLANKING && !WITH_CROP_REGIONS
-#define EXTREME_OF_ENDS 1
-#else
-#define EXTREME_OF_ENDS 0
-#endif
-
-#if WITH_SEGMENT || WITH_PREINTEGRATED
-#define BETWEEN_ENDS 1
-#else
-#define BETWEEN_ENDS 0
-#endif
-
-// How jitter moves the steps of a ray: each sample to the same share of its step or, where a step is
-// taken from both its ends, the borders between steps. Then the first step is that share of a whole
-// one, and the last is what is left. Either way the mean over the shares is of second order.
-#if WITH_JITTER && (BETWEEN_ENDS || EXTREME_OF_ENDS)
-#define BORDERS_MOVE 1
-#else
-#define BORDERS_MOVE 0
-#endif
-
-#if WITH_SEGMENT
-#define SAMPLES_OF_STEP 2
-#else
-#define SAMPLES_OF_STEP 1
-#endif
-
 // The field at a point that is an end or the middle of a step, for what needs it.
 FUNC StepEnd fieldOfStep(SCENE_PARAM Ray ray, real along)
 {
@@ -161,71 +132,24 @@ FUNC vec4 stepOf(SCENE_PARAM Ray ray, real stepBegin, real width, StepEnd front,
 
 // What is written for a ray: premultiplied colour and opacity, or for measuring samples taken,
 // samples skipped and whether the ray stopped early.
-FUNC vec4 pixelOf(SCENE_PARAM vec4 ray, int samplesTaken, real stopped)
+FUNC vec4 pixelOf(SCENE_PARAM March march, int count)
 {
 #if WITH_SAMPLE_COUNT
-  return VEC4(TO_REAL(samplesTaken), REAL(0.0), stopped, REAL(0.0));
+  int passed = march.stopped > REAL(0.5) ? march.index : count;
+  return VEC4(TO_REAL(march.taken * SAMPLES_OF_STEP),
+    TO_REAL((passed - march.taken) * SAMPLES_OF_STEP), march.stopped, REAL(0.0));
 #else
-  return finishRay(SCENE ray);
+  return finishRay(SCENE march.result);
 #endif
 }
 
-// How far a ray has been followed.
-STRUCT(March)
-{
-  vec4 result;
-#if WITH_COMPENSATION
-  vec4 lost; // what rounding took off the sums: a hundred thousand steps would show it (Kahan)
-#endif
-  StepEnd front;
-  int steps; // taken
-  real stopped;
-};
-
-// By how much jitter moves the borders between steps of this length towards the eye.
-FUNC real borderShift(Ray ray, real stepLength)
-{
-#if BORDERS_MOVE
-  return (REAL(1.0) - ray.jitter) * stepLength;
-#else
-  return REAL(0.0);
-#endif
-}
-
-FUNC int stepCountOf(SCENE_PARAM Ray ray, Interval interval)
-{
-  real stepLength = scene.sampling.x;
-  real toBorders = interval.end - interval.begin + borderShift(ray, stepLength);
-  return interval.end > interval.begin ? TO_INT(ceil(toBorders / stepLength)) : 0;
-}
-
-// Where a step begins: begin + i * step from an integer i, so a later jump over empty space lands on
-// the same samples.
-FUNC real stepBeginOf(SCENE_PARAM Ray ray, Interval interval, int index)
-{
-  real along = TO_REAL(index) * scene.sampling.x;
-#if BORDERS_MOVE
-  along = max(along - borderShift(ray, scene.sampling.x), REAL(0.0));
-#endif
-  return interval.begin + along;
-}
-
-// How long a step is. The last may be short, and with borders that move the first is.
-FUNC real stepWidthOf(SCENE_PARAM Ray ray, Interval interval, int index, real stepBegin)
-{
-  real width = scene.sampling.x;
-#if BORDERS_MOVE
-  width = index == 0 ? width - borderShift(ray, width) : width;
-#endif
-  return min(width, interval.end - stepBegin);
-}
-
-// Takes one step.
+// Takes the next step.
 FUNC March stepped(SCENE_PARAM Ray ray, Interval interval, March march)
 {
-  real stepBegin = stepBeginOf(SCENE ray, interval, march.steps);
-  real width = stepWidthOf(SCENE ray, interval, march.steps, stepBegin);
-  StepEnd back = stepEndAt(SCENE ray, stepBegin + width);
+  real stepBegin = stepBeginOf(SCENE ray, interval, march.index);
+  real width = stepWidthOf(SCENE ray, interval, march.index, stepBegin);
+  StepEnd back =
+    stepEndAt(SCENE ray, min(stepBeginOf(SCENE ray, interval, march.index + 1), interval.end));
   vec4 contribution = stepOf(SCENE ray, stepBegin, width, march.front, back);
 #if WITH_COMPENSATION
   PRECISE vec4 change = additionOf(march.result, contribution) - march.lost;
@@ -236,7 +160,10 @@ FUNC March stepped(SCENE_PARAM Ray ray, Interval interval, March march)
   march.result = accumulate(march.result, contribution);
 #endif
   march.front = back;
-  march.steps = march.steps + 1;
+  march.index = march.index + 1;
+#if WITH_SAMPLE_COUNT
+  march.taken = march.taken + 1;
+#endif
 #if WITH_TERMINATION
   march.stopped = isFinished(SCENE march.result) ? REAL(1.0) : REAL(0.0);
 #endif
@@ -244,59 +171,78 @@ FUNC March stepped(SCENE_PARAM Ray ray, Interval interval, March march)
 }
 
 #if WITH_COMPENSATION
-FUNC March steppedIfDue(SCENE_PARAM Ray ray, Interval interval, March march, int count)
+FUNC March steppedIfDue(SCENE_PARAM Ray ray, Interval interval, March march)
 {
-  if (march.steps < count && march.stopped < REAL(0.5))
+  if (goesOn(march, march.runEnd))
   {
     march = stepped(SCENE ray, interval, march);
   }
   return march;
 }
 
-FUNC March steppedFourTimes(SCENE_PARAM Ray ray, Interval interval, March march, int count)
+FUNC March steppedFourTimes(SCENE_PARAM Ray ray, Interval interval, March march)
 {
-  march = steppedIfDue(SCENE ray, interval, march, count);
-  march = steppedIfDue(SCENE ray, interval, march, count);
-  march = steppedIfDue(SCENE ray, interval, march, count);
-  return steppedIfDue(SCENE ray, interval, march, count);
+  march = steppedIfDue(SCENE ray, interval, march);
+  march = steppedIfDue(SCENE ray, interval, march);
+  march = steppedIfDue(SCENE ray, interval, march);
+  return steppedIfDue(SCENE ray, interval, march);
 }
 #endif
+
+// Takes all steps of the run that the ray is in, or stops early.
+FUNC March marched(SCENE_PARAM Ray ray, Interval interval, March march)
+{
+  if (march.index < march.runEnd)
+  {
+    march.front = stepEndAt(SCENE ray, stepBeginOf(SCENE ray, interval, march.index));
+#if WITH_COMPENSATION
+    // Mesa's llvmpipe leaves the loops of a kernel for good after 65535 rounds, so each takes 16
+    // steps; what is longer still is refused (MostSteps in Scene/Features.h).
+    do
+    {
+      march = steppedFourTimes(SCENE ray, interval, march);
+      march = steppedFourTimes(SCENE ray, interval, march);
+      march = steppedFourTimes(SCENE ray, interval, march);
+      march = steppedFourTimes(SCENE ray, interval, march);
+    } while (goesOn(march, march.runEnd));
+#else
+    do
+    {
+      march = stepped(SCENE ray, interval, march);
+    } while (goesOn(march, march.runEnd));
+#endif
+  }
+  return march;
+}
 
 // The pixel of the part of a ray in the interval.
 FUNC vec4 integrate(SCENE_PARAM Ray ray, Interval interval)
 {
   int count = stepCountOf(SCENE ray, interval);
-  March march;
-  march.result = emptyRay();
-#if WITH_COMPENSATION
-  march.lost = VEC4(REAL(0.0), REAL(0.0), REAL(0.0), REAL(0.0));
+  int first = 0;
+  int end = count;
+#if WITH_TIGHT_BOX
+  Interval occupied = clipToOccupied(SCENE ray, interval);
+  real margin = CELL_MARGIN * ray.oneVoxel / scene.sampling.x;
+  first = stepIndexAt(SCENE ray, interval, occupied.begin, -margin, 0, count);
+  end = stepIndexAt(SCENE ray, interval, occupied.end, REAL(1.0) + margin, first, count);
+  end = occupied.end > occupied.begin ? end : first;
 #endif
-  march.front = stepEndAt(SCENE ray, interval.begin);
-  march.steps = 0;
-  march.stopped = REAL(0.0);
-#if WITH_COMPENSATION
-  // Mesa's llvmpipe leaves the loops of a kernel for good after 65535 rounds, so each takes 16
-  // steps; what is longer still is refused (MostSteps in Scene/Features.h).
-  while (march.steps < count && march.stopped < REAL(0.5))
+  March march = startOfMarch(first, end);
+  if (first < end)
   {
-    march = steppedFourTimes(SCENE ray, interval, march, count);
-    march = steppedFourTimes(SCENE ray, interval, march, count);
-    march = steppedFourTimes(SCENE ray, interval, march, count);
-    march = steppedFourTimes(SCENE ray, interval, march, count);
-  }
-#else
-  for (int i = 0; i < count; ++i)
-  {
-    march = stepped(SCENE ray, interval, march);
-#if WITH_TERMINATION
-    if (march.stopped > REAL(0.5))
+#if WITH_SKIPPING
+    CellRay cells = cellRayOf(SCENE ray);
+    do
     {
-      break;
-    }
+      march = jumped(SCENE cells, ray, interval, march, end);
+      march = marched(SCENE ray, interval, march);
+    } while (goesOn(march, end));
+#else
+    march = marched(SCENE ray, interval, march);
 #endif
   }
-#endif
-  return pixelOf(SCENE march.result, march.steps * SAMPLES_OF_STEP, march.stopped);
+  return pixelOf(SCENE march, count);
 }
 
 // Premultiplied colour and opacity of the ray through a pixel; pixels are counted in the window.
@@ -332,14 +278,13 @@ FUNC vec4 slabRayOf(SCENE_PARAM vec2 pixel, real windowDepth)
 }
 
 // What one slab adds to a pixel's ray: its part between two depths, as one step. The length is that
-// of the ray, so it grows towards the edge of a perspective picture. texturePosition is where the ray
-// meets the middle plane of the slab, texturePerDepth how it goes on; both change linearly over the
-// picture, so they are interpolated and not worked out. Jitter that moves borders moves the pixel's
-// slabs towards the eye.
-FUNC vec4 castSlab(SCENE_PARAM vec2 pixel, vec3 texturePosition, vec3 texturePerDepth,
-  vec4 slabRay, real nearDepth, real farDepth)
+// of the ray, so it grows towards the edge of a perspective picture. Nothing of it depends on the
+// polygon that the pixel is drawn with. Jitter that moves borders moves the pixel's slabs towards
+// the eye.
+FUNC vec4 castSlab(SCENE_PARAM vec2 pixel, vec4 slabRay, real nearDepth, real farDepth)
 {
-  Ray ray = rayInSlab(SCENE texturePosition, texturePerDepth, slabRay.z, slabRay.w);
+  real middle = REAL(0.5) * (nearDepth + farDepth);
+  Ray ray = rayInSlab(SCENE pixel, middle, slabRay.z, slabRay.w);
   ray = jittered(SCENE ray, pixel);
   real shift = borderShift(ray, farDepth - nearDepth);
   real slabBegin = max(slabRay.x, nearDepth - shift);
@@ -352,7 +297,7 @@ FUNC vec4 castSlab(SCENE_PARAM vec2 pixel, vec3 texturePosition, vec3 texturePer
   {
     return emptyRay();
   }
-  real stepBegin = slabBegin - REAL(0.5) * (nearDepth + farDepth);
+  real stepBegin = slabBegin - middle;
   return stepOf(SCENE ray, stepBegin, width, stepEndAt(SCENE ray, stepBegin),
     stepEndAt(SCENE ray, stepBegin + width));
 #endif

@@ -37,26 +37,34 @@ FUNC Ray rayFrom(SCENE_PARAM vec3 origin, vec3 direction, real originDepth)
   return ray;
 }
 
-FUNC Ray rayThroughPixel(SCENE_PARAM vec2 pixel)
+// A number that is linear in normalized device coordinates, at a pixel.
+FUNC vec3 atPixel(SCENE_PARAM vec2 pixel, vec4 middle, vec4 perX, vec4 perY)
 {
   real x = (pixel.x - scene.viewport.x) * scene.viewport.z - REAL(1.0);
   real y = (pixel.y - scene.viewport.y) * scene.viewport.w - REAL(1.0);
-  vec3 origin = xyz(scene.rayOrigin) + x * xyz(scene.rayOriginX) + y * xyz(scene.rayOriginY);
+  return xyz(middle) + x * xyz(perX) + y * xyz(perY);
+}
+
+FUNC Ray rayThroughPixel(SCENE_PARAM vec2 pixel)
+{
+  vec3 origin = atPixel(SCENE pixel, scene.rayOrigin, scene.rayOriginX, scene.rayOriginY);
   vec3 direction = normalize(
-    xyz(scene.rayDirection) + x * xyz(scene.rayDirectionX) + y * xyz(scene.rayDirectionY));
+    atPixel(SCENE pixel, scene.rayDirection, scene.rayDirectionX, scene.rayDirectionY));
   return rayFrom(SCENE origin, direction, scene.viewDepth.w);
 }
 
-// The part of a ray in a slab of slicing: its unit is a unit of view depth and its origin lies in the
-// middle plane of the slab, at a texture position. See slabRayOf in Integrate.h for the last two.
+// The part of a pixel's ray in a slab of slicing: its unit is a unit of view depth, and its origin lies
+// at a depth relative to the plane of the rays' origins. See slabRayOf in Integrate.h for the last two.
 FUNC Ray rayInSlab(
-  SCENE_PARAM vec3 texturePosition, vec3 texturePerDepth, real lengthPerDepth, real depthPerVoxel)
+  SCENE_PARAM vec2 pixel, real depth, real lengthPerDepth, real depthPerVoxel)
 {
   Ray ray;
-  ray.origin = (texturePosition - xyz(scene.textureOffset)) * xyz(scene.textureSize);
-  ray.direction = texturePerDepth * xyz(scene.textureSize);
-  ray.textureOrigin = texturePosition;
-  ray.textureDirection = texturePerDepth;
+  ray.direction = scene.depthRange.w *
+    atPixel(SCENE pixel, scene.rayDirection, scene.rayDirectionX, scene.rayDirectionY);
+  ray.origin = atPixel(SCENE pixel, scene.rayOrigin, scene.rayOriginX, scene.rayOriginY) +
+    depth * ray.direction;
+  ray.textureOrigin = ray.origin * xyz(scene.textureScale) + xyz(scene.textureOffset);
+  ray.textureDirection = ray.direction * xyz(scene.textureScale);
   ray.originDepth = REAL(0.0);
   ray.lengthPerUnit = lengthPerDepth;
   ray.oneVoxel = depthPerVoxel;

@@ -20,8 +20,12 @@ SCENE_BLOCK_BEGIN
                         // often rayDirection goes into a unit of view depth
   vec4 depthProjection; // x, y: the two numbers that turn window depth into view depth
   vec4 viewport;        // x, y: lower left pixel; z, w: 2 / width, 2 / height
-  vec4 rectangle;       // x, y: lower left pixel of all that the box covers; z, w: its size
+  vec4 rectangle;       // x, y: lower left pixel of all that the box covers, to which textures of
+                        // a technique's own are relative; z, w: its size
   vec4 boxHalf;         // xyz: half the size of the box in voxels
+  vec4 occupiedLow;     // xyz: lowest corner of the box round all that can be seen, in voxels
+  vec4 occupiedHigh;    // xyz: its highest corner
+  vec4 cells;           // xyz: the last macrocell of each axis; w: macrocells per voxel
   vec4 textureScale;    // xyz: texture coordinate per voxel
   vec4 textureOffset;   // xyz: texture coordinate of the middle of the box
   vec4 textureSize;     // xyz: texels per axis

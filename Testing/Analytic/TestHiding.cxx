@@ -136,16 +136,17 @@ TEST(SlabText, SlabsJoinToTheRay)
   const midpoint64::Interval visible = { 0.25, 1.1 };
   scene.sampling.x = 0.1;
   const auto expected = midpoint64::integrate(scene, ray, visible);
+  scene.rayDirection = { 1.0 / 0.8, 0.0, 0.0, 0.0 };
+  scene.depthRange.w = 1.0;
+  scene.textureScale = { 1.0, 1.0, 1.0, 0.0 };
   // Slabs of a step, from the depth at which the visible part begins; some lie outside.
   const midpoint64::vec4 slabRay = { 0.8 * visible.begin, 0.8 * visible.end, 1.0 / 0.8, 0.8 };
   midpoint64::vec4 gathered = midpoint64::emptyRay();
   for (int slab = -2; slab < 12; ++slab)
   {
     const double nearDepth = 0.8 * (0.25 + 0.1 * slab);
-    const midpoint64::vec3 perDepth(1.0 / 0.8, 0.0, 0.0);
     gathered = midpoint64::accumulate(gathered,
-      midpoint64::castSlab(scene, midpoint64::vec2(0.5), (nearDepth + 0.04) * perDepth, perDepth,
-        slabRay, nearDepth, nearDepth + 0.08));
+      midpoint64::castSlab(scene, midpoint64::vec2(0.5), slabRay, nearDepth, nearDepth + 0.08));
   }
   EXPECT_NEAR(gathered.w, expected.w, 1e-9);
   EXPECT_NEAR(gathered.x, expected.x, 1e-9);

@@ -265,21 +265,22 @@ TEST(Jitter, StepsLongerThanTheRayCoverItOnce)
 TEST(Jitter, MovedSlabsCoverTheRayOnce)
 {
   const double perVoxel = 0.8; // depth
-  const jitteredBorders64::vec3 perDepth(1.0 / perVoxel, 0.0, 0.0);
   const jitteredBorders64::vec4 slabRay = { perVoxel * 0.25, perVoxel * 1.1, 1.0 / perVoxel,
     perVoxel };
   for (int pixel = 0; pixel < 20; ++pixel)
   {
     std::vector<Step> steps;
-    const auto scene = SceneThatNotes(steps, 0.1);
+    auto scene = SceneThatNotes(steps, 0.1);
+    scene.rayDirection = { 1.0 / perVoxel, 0.0, 0.0, 0.0 };
+    scene.depthRange.w = 1.0;
+    scene.textureScale = { 1.0, 1.0, 1.0, 0.0 };
     // From the first slab that reaches the visible part to one beyond the last, as it is the
     // pixel's slabs that are moved towards the eye.
     for (int slab = 0; slab < 10; ++slab)
     {
       const double nearDepth = perVoxel * (0.25 + 0.1 * slab);
       const double farDepth = nearDepth + perVoxel * 0.1;
-      jitteredBorders64::castSlab(scene, { pixel + 0.5, 0.5 },
-        0.5 * (nearDepth + farDepth) * perDepth, perDepth, slabRay, nearDepth, farDepth);
+      jitteredBorders64::castSlab(scene, { pixel + 0.5, 0.5 }, slabRay, nearDepth, farDepth);
     }
     ASSERT_FALSE(steps.empty());
     EXPECT_NEAR(steps.front().Begin, 0.25, 1e-12);

@@ -31,6 +31,8 @@ OURS = {
     "Integrator": "Left",
     "TechniqueBlendMode": "Gradient",
     "TerminationThreshold": 0.01,
+    "Skipping": 0,
+    "MacrocellVoxels": 4,
     "RaySetUp": "Box",
     "Jitter": 1,
     "JitterSeed": 7,

@@ -29,6 +29,8 @@ SETTINGS = {
     "StepVoxels": 0.75,
     "Integrator": "Left",
     "TerminationThreshold": 0.01,
+    "Skipping": 0,
+    "MacrocellVoxels": 4,
     "RaySetUp": "Box",
     "Jitter": 1,
     "JitterSeed": 7,

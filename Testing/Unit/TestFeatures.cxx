@@ -72,6 +72,8 @@ TEST(Features, ProjectionsLeaveOutWhatOnlyCompositingNeeds)
   {
     scene.Sampling.Integration = Integrator::PreIntegrated;
     scene.Sampling.TerminationThreshold = 0.01;
+    scene.TransferFunction.MaximumExtinction = 1.0;
+    scene.Volume.BoxHalf = glm::dvec3(5.0);
     scene.Lighting.Enabled = true;
     scene.TransferFunction.GradientTable = { 0.0f, 1.0f };
   };
@@ -136,4 +138,24 @@ TEST(Features, HiddenPartsAndChannels)
   EXPECT_EQ(NamesOf([](Scene& s) { s.Clip.CropRegionFlags = 1u << 26; }), Names{ "crop-regions" });
   EXPECT_EQ(NamesOf([](Scene& s) { s.Clip.Planes.emplace_back(0.0); }), Names{ "clip-planes" });
   EXPECT_EQ(NamesOf([](Scene& s) { s.Measurement.CountSamples = true; }), Names{ "sample-count" });
+}
+
+TEST(Features, RaysStopOnlyWhereSomeRayCanBeDeepEnough)
+{
+  const auto with = [](double extinction, double threshold)
+  {
+    return NamesOf(
+      [=](Scene& scene)
+      {
+        scene.Volume.BoxHalf = glm::dvec3(10.0);
+        scene.Volume.VoxelToData = glm::dmat4(0.5);
+        scene.TransferFunction.MaximumExtinction = extinction;
+        scene.Sampling.TerminationThreshold = threshold;
+      });
+  };
+  // The longest way through is at most 3 x 20 voxels of 0.5: a depth of 4.6 leaves a hundredth.
+  EXPECT_EQ(with(0.1, 0.01), Names());
+  EXPECT_EQ(with(0.2, 0.01), Names{ "termination" });
+  EXPECT_EQ(with(0.2, 0.001), Names());
+  EXPECT_EQ(with(1000.0, 0.0), Names());
 }

@@ -89,8 +89,18 @@ TEST(TechniqueSettings, JitterIsASwitchAndASeed)
   EXPECT_EQ(SettingsJson(variant.Values), "{\"jitter\": 1, \"jitter_seed\": 12}");
   EXPECT_FALSE(TechniqueSettings().Jitter);
   EXPECT_FALSE(WithValues(settings, ParseVariant("slices; jitter=0").Values).Jitter);
-  EXPECT_NE(FaultOf("slices; jitter=2").find("'2'; it must be 0 or 1"), std::string::npos);
+  EXPECT_NE(FaultOf("slices; jitter=2").find("'2'; it must be true or false"), std::string::npos);
   EXPECT_NE(FaultOf("slices; jitter_seed=0.5").find("no count"), std::string::npos);
+}
+
+TEST(TechniqueSettings, SkippingIsASwitchWithCellsOfASize)
+{
+  const Variant variant = ParseVariant("slices; skipping=false; macrocell_voxels=4");
+  const TechniqueSettings settings = WithValues({}, variant.Values);
+  EXPECT_FALSE(settings.Skipping);
+  EXPECT_EQ(settings.MacrocellVoxels, 4);
+  EXPECT_EQ(SettingsJson(variant.Values), "{\"skipping\": false, \"macrocell_voxels\": 4}");
+  EXPECT_TRUE(TechniqueSettings().Skipping);
 }
 
 TEST(RunPlan, IsTheProductButForWhatVariantsName)

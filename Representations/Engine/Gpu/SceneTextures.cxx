@@ -2,6 +2,7 @@
 
 #include "Gpu/GlContextGuard.h"
 #include "Gpu/VolumeUpload.h"
+#include "Scene/CellMap.h"
 
 #include "vtk_glew.h"
 
@@ -87,7 +88,7 @@ void CheckMemory(std::size_t bytes)
 }
 }
 
-void SceneTextures::Update(const Scene& scene)
+void SceneTextures::Update(const Scene& scene, const FeatureSet& features)
 {
   if (scene.Volume.Stamp != this->VolumeStamp || !this->Volume.IsCreated())
   {
@@ -105,6 +106,38 @@ void SceneTextures::Update(const Scene& scene)
     this->TablesMs = MillisecondsSince(begin);
     this->TableStamp = scene.TransferFunction.Stamp;
   }
+  this->UpdateCells(scene.Skipping, features);
+}
+
+void SceneTextures::UpdateCells(const Skipping& skipping, const FeatureSet& features)
+{
+  if (!Has(features, Feature::Skipping))
+  {
+    this->Cells.Release();
+    this->CellBytes = 0;
+    this->CellStamp = 0;
+    this->GridMs = std::numeric_limits<double>::quiet_NaN();
+    return;
+  }
+  const CellMap& map = *skipping.Cells;
+  if (map.Stamp == this->CellStamp && this->Cells.IsCreated())
+  {
+    return;
+  }
+  const Clock::time_point begin = Clock::now();
+  const bool extremes = !map.Extremes.empty();
+  this->Cells.Bind(GL_TEXTURE_3D);
+  this->Cells.SetSampling(false);
+  DrainErrors();
+  glTexImage3D(GL_TEXTURE_3D, 0, extremes ? GL_R32F : GL_R16UI, map.Cells.x, map.Cells.y,
+    map.Cells.z, 0, extremes ? GL_RED : GL_RED_INTEGER, extremes ? GL_FLOAT : GL_UNSIGNED_SHORT,
+    extremes ? static_cast<const void*>(map.Extremes.data()) : map.Codes.data());
+  this->Cells.Unbind();
+  this->CellBytes =
+    extremes ? map.Extremes.size() * sizeof(float) : map.Codes.size() * sizeof(std::uint16_t);
+  CheckMemory(this->CellBytes);
+  this->CellStamp = map.Stamp;
+  this->GridMs = skipping.GridMs + MillisecondsSince(begin);
 }
 
 void SceneTextures::UpdateVolume(const volumebench::Volume& volume)
@@ -220,12 +253,18 @@ void SceneTextures::Attach(
   {
     program.SetUnit("blankingTexture", units.Attach(this->Blanking));
   }
+  if (Has(features, Feature::Skipping))
+  {
+    const bool extremes =
+      Has(features, Feature::MaximumBlend) || Has(features, Feature::MinimumBlend);
+    program.SetUnit(extremes ? "cellExtremeTexture" : "cellCodeTexture", units.Attach(this->Cells));
+  }
 }
 
 void SceneTextures::Release()
 {
   for (GlTexture* texture : { &this->Volume, &this->Table, &this->Prefix, &this->Segments,
-         &this->GradientOpacity, &this->Blanking })
+         &this->GradientOpacity, &this->Blanking, &this->Cells })
   {
     texture->Release();
   }
@@ -235,11 +274,11 @@ void SceneTextures::Release()
 void SceneTextures::Forget()
 {
   for (GlTexture* texture : { &this->Volume, &this->Table, &this->Prefix, &this->Segments,
-         &this->GradientOpacity, &this->Blanking })
+         &this->GradientOpacity, &this->Blanking, &this->Cells })
   {
     texture->Forget();
   }
-  this->VolumeStamp = this->TableStamp = 0;
-  this->VolumeBytes = this->TableBytes = this->BlankingBytes = 0;
+  this->VolumeStamp = this->TableStamp = this->CellStamp = 0;
+  this->VolumeBytes = this->TableBytes = this->BlankingBytes = this->CellBytes = 0;
 }
 }

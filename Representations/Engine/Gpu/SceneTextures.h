@@ -9,6 +9,7 @@
 #include "Scene/Scene.h"
 
 #include <cstddef>
+#include <limits>
 
 namespace volumebench
 {
@@ -17,16 +18,17 @@ class SceneTextures
 public:
   /// Uploads what changed; the context must be current. Throws SceneError when the volume exceeds
   /// GL_MAX_3D_TEXTURE_SIZE on an axis or the device has no memory for it.
-  void Update(const Scene& scene);
+  void Update(const Scene& scene, const FeatureSet& features);
 
   /// Binds the textures that a program of these features reads; the program is bound.
   void Attach(const GlProgram& program, const FeatureSet& features, TextureUnits& units);
 
   std::size_t GetBytesOnDevice() const
   {
-    return this->VolumeBytes + this->TableBytes + this->BlankingBytes;
+    return this->VolumeBytes + this->TableBytes + this->BlankingBytes + this->CellBytes;
   }
   double GetUploadMs() const { return this->UploadMs; }
+  double GetGridMs() const { return this->GridMs; }
   double GetTablesMs() const { return this->TablesMs; }
 
   void Release();
@@ -36,6 +38,7 @@ private:
   void UpdateVolume(const volumebench::Volume& volume);
   void UploadSlabs(const volumebench::Volume& volume);
   void UpdateBlanking(const volumebench::Volume& volume);
+  void UpdateCells(const Skipping& skipping, const FeatureSet& features);
   void UpdateTable(const TransferFunction& function);
 
   GlTexture Volume;
@@ -44,13 +47,17 @@ private:
   GlTexture Segments;
   GlTexture GradientOpacity;
   GlTexture Blanking;
+  GlTexture Cells; // codes or extremes
   ChangeStamp VolumeStamp = 0;
   ChangeStamp TableStamp = 0;
+  ChangeStamp CellStamp = 0;
+  std::size_t CellBytes = 0;
   std::size_t VolumeBytes = 0;
   std::size_t TableBytes = 0;
   std::size_t BlankingBytes = 0;
   double UploadMs = 0.0;
   double TablesMs = 0.0;
+  double GridMs = std::numeric_limits<double>::quiet_NaN();
 };
 }
 

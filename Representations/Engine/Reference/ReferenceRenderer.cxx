@@ -160,7 +160,7 @@ ReferencePicture ReferenceRenderer::Render(const Scene& scene, const ReferenceOp
   const std::vector<float>* windowDepth, const ReferenceProgress& progress)
 {
   ReferencePicture picture;
-  picture.Rectangle = ScreenRectangle(scene);
+  picture.Rectangle = BoxRectangle(scene);
   if (scene.Clip.Empty)
   {
     picture.Rectangle.z = picture.Rectangle.w = 0;

@@ -1,9 +1,12 @@
 #include "Scene/Features.h"
 
+#include "Scene/CellMap.h"
+
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace volumebench
 {
@@ -40,6 +43,38 @@ bool HasStiffSteps(const Scene& s)
     s.TransferFunction.MaximumExtinction * s.Sampling.StepVoxels * edge > ThinDepth;
 }
 
+// Occupied cells all over: looking where the empty ones are costs more than they give.
+constexpr double MostOccupied = 0.9;
+
+bool HasEmptyCells(const Scene& s)
+{
+  const CellMap* cells = s.Skipping.Cells.get();
+  return cells && (!cells->Extremes.empty() || cells->OccupiedShare < MostOccupied);
+}
+
+bool HasEmptyMargin(const Scene& s)
+{
+  const CellMap* cells = s.Skipping.Cells.get();
+  return cells &&
+    (cells->OccupiedLow != -s.Volume.BoxHalf || cells->OccupiedHigh != s.Volume.BoxHalf);
+}
+
+// Whether some ray may be deep enough to stop early.
+bool CanStop(const Scene& s)
+{
+  if (!Composites(s))
+  {
+    return !HasMode(s, BlendMode::Average);
+  }
+  const glm::dmat3 edges(s.Volume.VoxelToData);
+  const glm::dvec3 half = s.Volume.BoxHalf;
+  const double longest = 2.0 *
+    (half.x * glm::length(edges[0]) + half.y * glm::length(edges[1]) +
+      half.z * glm::length(edges[2]));
+  return s.TransferFunction.MaximumExtinction * longest >
+    -std::log(s.Sampling.TerminationThreshold);
+}
+
 std::vector<FeatureRow> SamplingRows()
 {
   return {
@@ -57,9 +92,8 @@ std::vector<FeatureRow> SamplingRows()
     { Feature::Jitter, "jitter", "WITH_JITTER", "jitter is off or the technique has no steps",
       [](const Scene& s) { return s.Sampling.Jitter; } },
     { Feature::Termination, "termination", "WITH_TERMINATION",
-      "the threshold is 0 or the blend mode is Average",
-      [](const Scene& s)
-      { return s.Sampling.TerminationThreshold > 0.0 && !HasMode(s, BlendMode::Average); } },
+      "the threshold is 0 or no ray can reach it",
+      [](const Scene& s) { return s.Sampling.TerminationThreshold > 0.0 && CanStop(s); } },
     { Feature::Compensation, "compensation", "WITH_COMPENSATION",
       "no ray has so many steps that rounding shows", HasLongRays },
   };
@@ -116,6 +150,16 @@ std::vector<FeatureRow> BlendRows()
       [](const Scene& s) { return s.Sampling.SetUp == RaySetUp::Rasterised; } },
   };
 }
+
+std::vector<FeatureRow> SkippingRows()
+{
+  return {
+    { Feature::TightBox, "tight-box", "WITH_TIGHT_BOX",
+      "what can be seen reaches to all sides of the box, or skipping is off", HasEmptyMargin },
+    { Feature::Skipping, "skipping", "WITH_SKIPPING",
+      "skipping is off, does not apply or finds too little that is empty", HasEmptyCells },
+  };
+}
 }
 
 const std::vector<FeatureRow>& FeatureTable()
@@ -123,7 +167,8 @@ const std::vector<FeatureRow>& FeatureTable()
   static const std::vector<FeatureRow> rows = []
   {
     std::vector<FeatureRow> all;
-    for (const auto& group : { SamplingRows(), ClipRows(), AppearanceRows(), BlendRows() })
+    for (const auto& group :
+      { SamplingRows(), ClipRows(), AppearanceRows(), BlendRows(), SkippingRows() })
     {
       all.insert(all.end(), group.begin(), group.end());
     }
@@ -166,6 +211,11 @@ bool MovesBorders(const FeatureSet& features)
   return Has(features, Feature::Jitter) &&
     (Has(features, Feature::Segment) || Has(features, Feature::PreIntegrated) ||
       (extremes && !hides));
+}
+
+bool IsTransparent(const Scene& scene)
+{
+  return scene.Skipping.Cells && scene.Skipping.Cells->OccupiedShare <= 0.0;
 }
 
 double LongestRaySteps(const Scene& scene)

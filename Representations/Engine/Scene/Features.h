@@ -38,6 +38,8 @@ enum class Feature
   GradientBlend,
   SampleCount,
   RasterisedSetUp,
+  TightBox,
+  Skipping,
   Count
 };
 
@@ -72,6 +74,9 @@ VOLUMEBENCHENGINE_EXPORT double KernelStepVoxels(const Scene& scene);
 /// Whether jitter moves the borders between steps, and not the samples in them: BORDERS_MOVE in
 /// Shared/Integrate.h.
 VOLUMEBENCHENGINE_EXPORT bool MovesBorders(const FeatureSet& features);
+
+/// Whether the cells of the scene's skipping hold nothing that can be seen.
+VOLUMEBENCHENGINE_EXPORT bool IsTransparent(const Scene& scene);
 
 /// Steps of the longest ray that a scene can have.
 VOLUMEBENCHENGINE_EXPORT double LongestRaySteps(const Scene& scene);

@@ -1,5 +1,6 @@
 #include "Scene/PackScene.h"
 
+#include "Scene/CellMap.h"
 #include "Scene/Features.h"
 
 #include <glm/geometric.hpp>
@@ -222,6 +223,18 @@ void PackExtremes(const Scene& scene, SceneBlock64& block)
     0.0 };
 }
 
+void PackSkipping(const Scene& scene, SceneBlock64& block)
+{
+  block.occupiedLow = { -scene.Volume.BoxHalf, 0.0 };
+  block.occupiedHigh = { scene.Volume.BoxHalf, 0.0 };
+  if (const CellMap* cells = scene.Skipping.Cells.get())
+  {
+    block.occupiedLow = { cells->OccupiedLow, 0.0 };
+    block.occupiedHigh = { cells->OccupiedHigh, 0.0 };
+    block.cells = { glm::dvec3(cells->Cells - 1), 1.0 / cells->EdgeVoxels };
+  }
+}
+
 // Rows that turn stored differences over two voxels into a gradient, in units of the span of the
 // gradient table, so that no data range overflows a float.
 void PackGradientOpacity(const Scene& scene, SceneBlock64& block)
@@ -252,7 +265,7 @@ SceneBlock64 PackScene(const Scene& scene)
   const glm::dmat4 voxelToView = scene.Camera.WorldToView * volume.VoxelToWorld;
   PackRays(scene, voxelToView, block);
   PackProjection(scene.Camera, block);
-  block.rectangle = glm::dvec4(ScreenRectangle(scene));
+  block.rectangle = glm::dvec4(BoxRectangle(scene));
   block.boxHalf = { volume.BoxHalf, 0.0 };
   const glm::dvec3 texels(volume.Texels);
   block.textureScale = { 1.0 / texels, 0.0 };
@@ -269,6 +282,7 @@ SceneBlock64 PackScene(const Scene& scene)
   PackTable(scene, block);
   PackExtremes(scene, block);
   PackGradientOpacity(scene, block);
+  PackSkipping(scene, block);
   block.sampling = { KernelStepVoxels(scene), 1.0 - scene.Sampling.TerminationThreshold,
     scene.TransferFunction.UnitDistance,
     scene.Sampling.Jitter ? static_cast<double>(scene.Sampling.JitterSeed) : 0.0 };
@@ -288,7 +302,10 @@ SceneBlock RoundToFloat(const SceneBlock64& block)
   return rounded;
 }
 
-glm::ivec4 ScreenRectangle(const Scene& scene)
+namespace
+{
+// The pixels that a part of the volume's box may cover; corners in voxels.
+glm::ivec4 RectangleOf(const Scene& scene, const glm::dvec3& lowest, const glm::dvec3& highest)
 {
   const glm::dmat4 voxelToView = scene.Camera.WorldToView * scene.Volume.VoxelToWorld;
   const glm::ivec4& viewport = scene.Camera.Viewport;
@@ -297,8 +314,7 @@ glm::ivec4 ScreenRectangle(const Scene& scene)
   for (int corner = 0; corner < 8; ++corner)
   {
     const glm::dvec3 side(corner & 1, (corner >> 1) & 1, corner >> 2);
-    const glm::dvec4 view =
-      voxelToView * glm::dvec4((2.0 * side - 1.0) * scene.Volume.BoxHalf, 1.0);
+    const glm::dvec4 view = voxelToView * glm::dvec4(glm::mix(lowest, highest, side), 1.0);
     if (-view.z <= scene.Camera.NearDepth && !scene.Camera.Parallel)
     {
       return viewport;
@@ -313,5 +329,17 @@ glm::ivec4 ScreenRectangle(const Scene& scene)
   return { viewport.x + static_cast<int>(begin.x), viewport.y + static_cast<int>(begin.y),
     std::max(0, static_cast<int>(end.x - begin.x)),
     std::max(0, static_cast<int>(end.y - begin.y)) };
+}
+}
+
+glm::ivec4 ScreenRectangle(const Scene& scene)
+{
+  const CellMap* cells = scene.Skipping.Cells.get();
+  return cells ? RectangleOf(scene, cells->OccupiedLow, cells->OccupiedHigh) : BoxRectangle(scene);
+}
+
+glm::ivec4 BoxRectangle(const Scene& scene)
+{
+  return RectangleOf(scene, -scene.Volume.BoxHalf, scene.Volume.BoxHalf);
 }
 }

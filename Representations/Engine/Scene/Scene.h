@@ -15,6 +15,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -23,6 +24,7 @@
 namespace volumebench
 {
 class ExactTransferFunction;
+struct CellMap;
 
 /// A scene that cannot be drawn honestly. The message is one line that names the cause.
 class SceneError : public std::runtime_error
@@ -188,6 +190,8 @@ struct Sampling
   bool Jitter = false; // move each pixel's steps by a random share of one
   int JitterSeed = 0;  // 0 to MostJitterSeed
   int TableSize = 0;   // entries of the transfer-function table; 0: as many as it needs
+  bool SkipsEmptySpace = true;
+  int MacrocellVoxels = 0;           // edge of a macrocell; 0: by the size of the volume
   double TerminationThreshold = 0.0; // remaining transmittance at which a ray stops
   glm::ivec2 WorkGroup{ 0 };         // pixels of a compute work group; 0: to be found by measuring
   Slicing Slices;
@@ -243,6 +247,14 @@ struct Clip
   bool OpaqueGeometry = false;      // something in the depth buffer may hide part of the volume
 };
 
+/// What of the volume need not be looked at.
+struct Skipping
+{
+  /// Null: all of it is, because skipping is off or the blend mode needs every value.
+  std::shared_ptr<const CellMap> Cells;
+  double GridMs = std::numeric_limits<double>::quiet_NaN(); // that making it took
+};
+
 struct Scene
 {
   volumebench::Volume Volume;
@@ -253,6 +265,7 @@ struct Scene
   volumebench::Lighting Lighting;
   volumebench::Clip Clip;
   volumebench::Measurement Measurement;
+  volumebench::Skipping Skipping;
 };
 
 /// Ghost flags that keep a point or cell from being drawn. Duplicate points are only needed by

@@ -1,6 +1,7 @@
 #include "Scene/SceneBuilder.h"
 
 #include "Scene/CameraBuilder.h"
+#include "Scene/CellMap.h"
 #include "Scene/FromVtk.h"
 #include "Scene/KernelScene.h"
 #include "Scene/Features.h"
@@ -17,6 +18,7 @@
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 namespace volumebench
@@ -75,10 +77,17 @@ Sampling BuildSampling(vtkVolumeBenchMapper* mapper)
   sampling.Jitter = mapper->GetJitter();
   sampling.JitterSeed = mapper->GetJitterSeed();
   sampling.TableSize = mapper->GetTableSize();
+  sampling.SkipsEmptySpace = mapper->GetSkipping();
+  sampling.MacrocellVoxels = mapper->GetMacrocellVoxels();
   sampling.WorkGroup = WorkGroupOf(mapper->GetWorkGroupShape());
   sampling.Slices = BuildSlicing(mapper);
   sampling.Method =
     static_cast<ReferenceMethod>(Checked(mapper->GetReferenceMethod(), 1, "reference method"));
+  if (sampling.MacrocellVoxels != 0 && sampling.MacrocellVoxels < 2)
+  {
+    throw SceneError("the macrocells have an edge of " + std::to_string(sampling.MacrocellVoxels) +
+      " voxels; it must be at least 2, or 0 for one that suits the volume");
+  }
   if (!(sampling.StepVoxels >= SmallestStepVoxels) || !std::isfinite(sampling.StepVoxels))
   {
     throw SceneError("the step is " + std::to_string(sampling.StepVoxels) +
@@ -232,6 +241,41 @@ void SceneBuilder::BuildFunction(vtkVolumeProperty* property, Scene& scene, int 
   scene.TransferFunction = this->Function;
 }
 
+void SceneBuilder::BuildSkipping(Scene& scene)
+{
+  const BlendMode mode = scene.Compositing.Mode;
+  if (!scene.Sampling.SkipsEmptySpace || mode == BlendMode::Average)
+  {
+    return;
+  }
+  const int edge = scene.Sampling.MacrocellVoxels > 0 ? scene.Sampling.MacrocellVoxels
+                                                      : SuitableMacrocellEdge(scene.Volume.Texels);
+  const auto begin = std::chrono::steady_clock::now();
+  ChangeStamp gridStamp = scene.Volume.Stamp;
+  ExtendStamp(gridStamp, edge);
+  const bool newGrid = gridStamp != this->GridStamp;
+  if (newGrid)
+  {
+    this->Grid = std::make_shared<MacrocellGrid>(BuildMacrocellGrid(scene.Volume, edge));
+    this->GridStamp = gridStamp;
+  }
+  ChangeStamp stamp = gridStamp;
+  ExtendStamp(stamp, scene.TransferFunction.Stamp);
+  ExtendStamp(stamp, mode);
+  if (stamp != this->SkipsStamp)
+  {
+    const bool extreme = mode == BlendMode::Maximum || mode == BlendMode::Minimum;
+    CellMap cells =
+      extreme ? MapExtremes(*this->Grid, scene) : MapOccupiedCells(*this->Grid, scene);
+    cells.Stamp = stamp;
+    this->Skips.Cells = std::make_shared<CellMap>(std::move(cells));
+    this->SkipsStamp = stamp;
+    this->Skips.GridMs =
+      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+  }
+  scene.Skipping = this->Skips;
+}
+
 Volume SceneBuilder::BuildVolume(
   vtkVolumeBenchMapper* mapper, vtkVolume* volume, vtkImageData* image)
 {
@@ -263,6 +307,7 @@ Scene SceneBuilder::Build(vtkVolumeBenchMapper* mapper, vtkRenderer* renderer, v
   scene.Volume.FiniteRange[1] = range.High;
   RefuseUnsupported(scene, mapper, property);
   this->BuildFunction(property, scene, target.LargestTable);
+  this->BuildSkipping(scene);
   scene.Camera = BuildCamera(renderer, target.Viewport);
   scene.Lighting = BuildLighting(renderer, property);
   scene.Lighting.Damping = mapper->GetLightingDamping();

@@ -5,6 +5,7 @@
 
 #include "VolumeBenchEngineModule.h"
 
+#include "Scene/MacrocellGrid.h"
 #include "Scene/Scene.h"
 #include "Scene/SegmentTable.h"
 #include "Scene/VolumeBuilder.h"
@@ -44,12 +45,17 @@ public:
 
 private:
   void BuildFunction(vtkVolumeProperty* property, Scene& scene, int largestTable);
+  void BuildSkipping(Scene& scene);
   Volume BuildVolume(vtkVolumeBenchMapper* mapper, vtkVolume* volume, vtkImageData* image);
 
   VolumeBuilder Volumes;
   TransferFunction Function; // kept while its sources are unchanged
   ChangeStamp FunctionStamp = 0;
-  SegmentTable Segments; // of Function
+  SegmentTable Segments;                     // of Function
+  std::shared_ptr<const MacrocellGrid> Grid; // of the volume with GridStamp
+  ChangeStamp GridStamp = 0;
+  volumebench::Skipping Skips; // of the grid and the function with SkipsStamp
+  ChangeStamp SkipsStamp = 0;
 };
 }
 

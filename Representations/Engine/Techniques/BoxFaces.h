@@ -30,7 +30,8 @@ public:
     std::function<void(bool back)> Faces;
   };
 
-  /// Fills both textures for the pixels of `rectangle`; the scene's block is bound.
+  /// Makes both textures as large as the volume's box on the screen and fills the pixels of
+  /// `rectangle`; the scene's block is bound.
   void Draw(const Scene& scene, vtkOpenGLRenderWindow* window, const glm::ivec4& rectangle,
     const Programs& programs, const Geometry& geometry);
 

@@ -1,5 +1,7 @@
 #include "Techniques/ComputeRayCast.h"
 
+#include "Scene/PackScene.h"
+
 #include "Techniques/WorkGroupChoice.h"
 
 #include "vtkOpenGLRenderWindow.h"
@@ -59,11 +61,13 @@ void ComputeRayCast::Draw(
   {
     this->FillBoxFaces(scene, window, rectangle, this->Faces);
   }
-  const glm::ivec2 size(rectangle.z, rectangle.w);
-  this->Picture.Resize(size, GL_RGBA32F);
+  const glm::ivec4 box = BoxRectangle(scene);
+  this->Picture.Resize(glm::ivec2(box.z, box.w), GL_RGBA32F);
   const glm::ivec2 workGroup = this->ChooseWorkGroup(scene, window, rectangle);
+  const glm::ivec2 first(rectangle.x - box.x, rectangle.y - box.y);
+  const glm::ivec2 size(rectangle.z, rectangle.w);
   this->GetFrameStages().OnDevice(
-    "dispatch", [&] { this->Dispatch(window, workGroup, glm::ivec2(0), size); });
+    "dispatch", [&] { this->Dispatch(window, workGroup, first, first + size); });
 
   const GlProgram& display = this->ProgramOf({ "Viewport.vert", "Picture.frag" });
   TextureUnits units(window);
@@ -118,7 +122,8 @@ glm::ivec2 ComputeRayCast::MeasureWorkGroups(
   constexpr int SmallestSide = 64;
   const glm::ivec2 size(rectangle.z, rectangle.w);
   const glm::ivec2 part = glm::min(size, glm::max(size / 3, glm::ivec2(SmallestSide)));
-  const glm::ivec2 first = (size - part) / 2;
+  const glm::ivec4 box = BoxRectangle(scene);
+  const glm::ivec2 first = glm::ivec2(rectangle.x - box.x, rectangle.y - box.y) + (size - part) / 2;
   GlTimer timer;
   std::vector<TimedWorkGroup> measured;
   for (const glm::ivec2 shape : WorkGroupCandidates(scene))

@@ -25,6 +25,8 @@ void OpenGlTechnique::Prepare(const Scene& scene, vtkOpenGLRenderWindow* window)
 {
   const GlContextGuard guard(window);
   this->Features = this->FeaturesFor(scene);
+  this->HostFeatures = this->HostFeaturesFor(scene);
+  this->HostGridMs = scene.Skipping.GridMs;
   if (Has(this->Features, Feature::Compensation) && LongestRaySteps(scene) > MostSteps)
   {
     throw SceneError("the step of " + std::to_string(scene.Sampling.StepVoxels) +
@@ -32,7 +34,7 @@ void OpenGlTechnique::Prepare(const Scene& scene, vtkOpenGLRenderWindow* window)
   }
   if (this->ReadsTextures())
   {
-    this->Textures.Update(scene);
+    this->Textures.Update(scene, this->Features);
   }
   this->Compile(scene);
 }
@@ -48,7 +50,7 @@ void OpenGlTechnique::Render(const Scene& scene, vtkOpenGLRenderWindow* window)
   const GlContextGuard guard(window);
   const glm::ivec4 rectangle = ScreenRectangle(scene);
   this->Stages.Begin(scene.Measurement.TimeStages);
-  if (rectangle.z > 0 && rectangle.w > 0 && !scene.Clip.Empty)
+  if (rectangle.z > 0 && rectangle.w > 0 && !scene.Clip.Empty && !IsTransparent(scene))
   {
     window->GetState()->vtkglDisable(GL_SCISSOR_TEST);
     if (Has(this->Features, Feature::OpaqueDepth))
@@ -140,6 +142,8 @@ SetUpCosts OpenGlTechnique::GetSetUpCosts() const
   SetUpCosts costs;
   costs.UploadMs = this->Textures.GetUploadMs();
   costs.TablesMs = this->Textures.GetTablesMs();
+  const bool onDevice = Has(this->Features, Feature::Skipping);
+  costs.GridMs = onDevice ? this->Textures.GetGridMs() : this->HostGridMs;
   costs.CompileMs = this->Programs.GetCompileMs();
   costs.BytesOnDevice = this->Textures.GetBytesOnDevice() + this->GetOwnBytes();
   return costs;

@@ -27,7 +27,7 @@ public:
   void Render(const Scene& scene, vtkOpenGLRenderWindow* window) final;
   SetUpCosts GetSetUpCosts() const override;
   std::vector<StageTime> GetStages() const final { return this->LastStages; }
-  FeatureSet GetFeatures() const final { return this->Features; }
+  FeatureSet GetFeatures() const final { return this->Features | this->HostFeatures; }
   void Release() final;
   void Forget() final;
 
@@ -35,14 +35,18 @@ protected:
   /// What the kernels of this technique take of the scene's features; all unless overridden.
   virtual FeatureSet FeaturesFor(const Scene& scene) const { return FeaturesNeededBy(scene); }
 
+  /// Features of the scene that this technique serves on the host, with no kernel of theirs.
+  virtual FeatureSet HostFeaturesFor(const Scene&) const { return {}; }
+
   /// Whether the kernels read the volume and its functions from textures; without, none are made.
   virtual bool ReadsTextures() const { return true; }
 
   /// Asks for the programs of the frame by ProgramOf, so that drawing compiles nothing.
   virtual void Compile(const Scene& scene) = 0;
 
-  /// Draws. `rectangle` (x, y, width, height in window pixels) holds all that the volume covers
-  /// and is not empty; the scene's block is bound.
+  /// Draws. `rectangle` (x, y, width, height in window pixels) holds all that can be seen of the
+  /// volume and is not empty; the scene's block is bound. Textures of the technique's own, one texel
+  /// to a pixel, hold what BoxRectangle gives, so that rounding does not depend on what is seen.
   virtual void Draw(
     const Scene& scene, vtkOpenGLRenderWindow* window, const glm::ivec4& rectangle) = 0;
 
@@ -67,7 +71,7 @@ protected:
   /// Draws the faces of the volume's box that look away from the camera (`back`) or towards it.
   void DrawBoxFaces(const Scene& scene, vtkOpenGLRenderWindow* window, bool back);
 
-  /// Fills `faces` as a stage of the frame.
+  /// Fills the pixels of `rectangle` in `faces`, as a stage of the frame.
   void FillBoxFaces(const Scene& scene, vtkOpenGLRenderWindow* window, const glm::ivec4& rectangle,
     BoxFaces& faces);
   BoxFaces::Programs BoxFacePrograms();
@@ -88,7 +92,9 @@ private:
   FrameStages Stages;
   std::vector<StageTime> LastStages;
   KernelPrograms Programs;
-  FeatureSet Features;
+  FeatureSet Features;     // compiled into the kernels
+  FeatureSet HostFeatures; // served without
+  double HostGridMs = std::numeric_limits<double>::quiet_NaN();
 };
 }
 

@@ -5,7 +5,10 @@ namespace volumebench
 const GlProgram& SinglePass::Program()
 {
   const bool faces = Has(this->GetFeatures(), Feature::RasterisedSetUp);
-  return this->ProgramOf({ faces ? "BoxFaces.vert" : "Viewport.vert", "SinglePass.frag" });
+  // Rays begin at the entry into the volume's box wherever their pixel is found, so that skipping
+  // does not move their samples.
+  return this->ProgramOf({ faces ? "BoxFaces.vert" : "Viewport.vert", "SinglePass.frag" },
+    faces ? "#define FACES_OF_OCCUPIED\n" : "");
 }
 
 void SinglePass::Compile(const Scene&)

@@ -1,5 +1,8 @@
 #include "Techniques/Slices.h"
 
+#include "Scene/CellMap.h"
+#include "Scene/PackScene.h"
+
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtk_glew.h"
@@ -79,7 +82,28 @@ FeatureSet Slices::FeaturesFor(const Scene& scene) const
   FeatureSet features = FeaturesNeededBy(scene);
   features.reset(static_cast<std::size_t>(Feature::Termination));
   features.reset(static_cast<std::size_t>(Feature::Compensation)); // batches do it
+  features.reset(static_cast<std::size_t>(Feature::TightBox));     // the tiles do these two
+  features.reset(static_cast<std::size_t>(Feature::Skipping));
   return features.reset(static_cast<std::size_t>(Feature::RasterisedSetUp));
+}
+
+// A slab knows nothing of the extremes before it, so none can be left out for them.
+FeatureSet Slices::HostFeaturesFor(const Scene& scene) const
+{
+  FeatureSet features;
+  if (scene.Skipping.Cells && !scene.Skipping.Cells->Codes.empty())
+  {
+    for (const Feature feature : { Feature::TightBox, Feature::Skipping })
+    {
+      features.set(static_cast<std::size_t>(feature), Has(FeaturesNeededBy(scene), feature));
+    }
+  }
+  return features;
+}
+
+bool Slices::LeavesTilesOut() const
+{
+  return Has(this->GetFeatures(), Feature::TightBox) || Has(this->GetFeatures(), Feature::Skipping);
 }
 
 void Slices::Compile(const Scene&)
@@ -95,45 +119,66 @@ int Slices::ThreadsFor(const Scene&, int) const
   return 1;
 }
 
-void Slices::UpdatePolygons(const Scene& scene, const SliceView& view, const SlabRange& range)
+void Slices::UpdatePolygons(const Scene& scene, const TileView& view, const SlabRange& range)
 {
   const Clock::time_point begin = Clock::now();
   const int threads = this->ThreadsFor(scene, range.Count);
-  const bool known =
-    this->CornerBuffer && view == this->View && range == this->Range && threads == this->Threads;
+  const bool tiled = this->LeavesTilesOut();
+  const bool known = this->CornerBuffer && view == this->View && range == this->Range &&
+    threads == this->Threads && tiled == this->Tiled;
   if (!known)
   {
-    this->Polygons.Tessellate(view, range, threads);
+    tiled ? this->Tiles.Cover(view, *scene.Skipping.Cells, range, threads)
+          : this->Polygons.Tessellate(view.Slices, range, threads);
     this->View = view;
     this->Range = range;
     this->Threads = threads;
+    this->Tiled = tiled;
   }
-  this->OrderPolygons(scene.Sampling.Slices.BackToFront);
+  const bool backToFront = scene.Sampling.Slices.BackToFront;
+  tiled ? this->OrderTiles(backToFront) : this->OrderPolygons(backToFront);
   this->GetFrameStages().Add("tessellation", MillisecondsSince(begin));
   this->GetFrameStages().OnDevice("upload",
     [&]
     {
       if (!known)
       {
-        this->UploadPolygons();
+        this->UploadCorners(tiled ? this->Tiles.GetCorners() : this->Polygons.GetCorners());
       }
     });
 }
 
-void Slices::UploadPolygons()
+void Slices::UploadCorners(const std::vector<SliceCorner>& corners)
 {
   if (!this->CornerBuffer)
   {
     glGenBuffers(1, &this->CornerBuffer);
     glGenVertexArrays(1, &this->CornerArray);
   }
+  this->CornerBytes = corners.size() * sizeof(SliceCorner);
   glBindVertexArray(this->CornerArray);
   glBindBuffer(GL_ARRAY_BUFFER, this->CornerBuffer);
-  const std::vector<SliceCorner>& corners = this->Polygons.GetCorners();
   glBufferData(
-    GL_ARRAY_BUFFER, corners.size() * sizeof(SliceCorner), corners.data(), GL_STREAM_DRAW);
+    GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(this->CornerBytes), corners.data(), GL_STREAM_DRAW);
   glVertexAttribPointer(CornerAttribute, 3, GL_FLOAT, GL_FALSE, sizeof(SliceCorner), nullptr);
   glEnableVertexAttribArray(CornerAttribute);
+}
+
+void Slices::OrderTiles(bool backToFront)
+{
+  constexpr int Corners = 4;
+  const std::vector<int>& firsts = this->Tiles.GetFirsts();
+  const int slabs = static_cast<int>(firsts.size()) - 1;
+  this->Firsts.clear();
+  for (int i = 0; i < slabs; ++i)
+  {
+    const int slab = backToFront ? slabs - 1 - i : i;
+    for (int first = firsts[slab]; first < firsts[slab + 1]; first += Corners)
+    {
+      this->Firsts.push_back(first);
+    }
+  }
+  this->Counts.assign(this->Firsts.size(), Corners);
 }
 
 void Slices::OrderPolygons(bool backToFront)
@@ -178,12 +223,15 @@ void Slices::DrawRays(
   const Scene& scene, vtkOpenGLRenderWindow* window, const glm::ivec4& rectangle)
 {
   const OffscreenScope scope(window);
-  this->Rays.Resize(glm::ivec2(rectangle.z, rectangle.w), GL_RGBA32F);
-  this->Rays.Bind(window, rectangle, scene.Camera.Viewport);
+  const glm::ivec4 box = BoxRectangle(scene);
+  this->Rays.Resize(glm::ivec2(box.z, box.w), GL_RGBA32F);
+  this->Rays.Bind(window, box, scene.Camera.Viewport);
   TextureUnits units(window);
   this->BindWithScene(this->ProgramOf({ "Viewport.vert", "SlabRays.frag" }), window, units);
   BlendOff(window);
-  this->DrawTriangle(window, nullptr);
+  const glm::ivec4 part(rectangle.x - box.x, rectangle.y - box.y, rectangle.z, rectangle.w);
+  this->DrawTriangle(window, &part);
+  window->GetState()->vtkglDisable(GL_SCISSOR_TEST);
 }
 
 void Slices::DrawPolygons(const Scene& scene, vtkOpenGLRenderWindow* window)
@@ -192,8 +240,8 @@ void Slices::DrawPolygons(const Scene& scene, vtkOpenGLRenderWindow* window)
   TextureUnits units(window);
   this->BindWithScene(program, window, units);
   program.SetUnit("slabRayTexture", units.Attach(this->Rays.GetTexture()));
-  program.SetNumbers("slabSeries", static_cast<float>(this->View.Slabs.First),
-    static_cast<float>(this->View.Slabs.Spacing));
+  program.SetNumbers("slabSeries", static_cast<float>(this->View.Slices.Slabs.First),
+    static_cast<float>(this->View.Slices.Slabs.Spacing));
   this->SetBlending(scene, window);
   window->GetState()->vtkglDisable(GL_CULL_FACE);
   glBindVertexArray(this->CornerArray);
@@ -214,13 +262,19 @@ void Slices::MergeBatch(const Scene& scene, vtkOpenGLRenderWindow* window)
   window->GetState()->vtkglBlendEquationSeparate(GL_FUNC_ADD, GL_FUNC_ADD);
 }
 
-void Slices::DrawSlabs(
-  const Scene& scene, vtkOpenGLRenderWindow* window, const glm::ivec4& rectangle)
+void Slices::DrawSlabs(const Scene& scene, vtkOpenGLRenderWindow* window)
 {
-  const SliceView view = MakeSliceView(scene, rectangle);
-  const std::vector<SlabRange> batches =
-    BatchesOf(view.Slabs.Count, scene.Sampling.Slices.BackToFront);
+  const glm::ivec4 rectangle = BoxRectangle(scene);
   const glm::ivec4& viewport = scene.Camera.Viewport;
+  TileView view;
+  // The spacing is that of the whole box, so that leaving parts out moves no sample.
+  view.Slices = MakeSliceView(scene, rectangle);
+  view.Cells = this->LeavesTilesOut() ? scene.Skipping.Cells->Stamp : 0;
+  view.MovedSlabs = MovesBorders(this->GetFeatures()) ? 1 : 0;
+  view.Viewport = viewport;
+  view.Rectangle = rectangle;
+  const std::vector<SlabRange> batches =
+    BatchesOf(view.Slices.Slabs.Count, scene.Sampling.Slices.BackToFront);
   const glm::ivec2 size(rectangle.z, rectangle.w);
   const glm::vec4 empty = EmptyRay(this->GetFeatures());
   const OffscreenScope scope(window);
@@ -251,7 +305,7 @@ void Slices::DrawSlabs(
 void Slices::Draw(const Scene& scene, vtkOpenGLRenderWindow* window, const glm::ivec4& rectangle)
 {
   this->GetFrameStages().OnDevice("rays", [&] { this->DrawRays(scene, window, rectangle); });
-  this->DrawSlabs(scene, window, rectangle);
+  this->DrawSlabs(scene, window);
   const GlProgram& display = this->ProgramOf({ "Viewport.vert", "SlicesDisplay.frag" });
   TextureUnits units(window);
   this->BindWithScene(display, window, units);

@@ -5,6 +5,7 @@
 
 #include "Techniques/OpenGlTechnique.h"
 #include "Techniques/SliceGeometry.h"
+#include "Techniques/SliceTiles.h"
 
 #include <vector>
 
@@ -14,6 +15,7 @@ class Slices : public OpenGlTechnique
 {
 protected:
   FeatureSet FeaturesFor(const Scene& scene) const override;
+  FeatureSet HostFeaturesFor(const Scene& scene) const override;
   void Compile(const Scene& scene) override;
   void Draw(
     const Scene& scene, vtkOpenGLRenderWindow* window, const glm::ivec4& rectangle) override;
@@ -22,26 +24,31 @@ protected:
   std::size_t GetOwnBytes() const override
   {
     return this->Rays.GetBytes() + this->Target.GetBytes() + this->Batch.GetBytes() +
-      this->Polygons.GetCorners().size() * sizeof(SliceCorner);
+      this->CornerBytes;
   }
 
   /// Threads that make the polygons.
   virtual int ThreadsFor(const Scene& scene, int slabs) const;
 
 private:
-  void UpdatePolygons(const Scene& scene, const SliceView& view, const SlabRange& range);
-  void UploadPolygons();
+  bool LeavesTilesOut() const;
+  void UpdatePolygons(const Scene& scene, const TileView& view, const SlabRange& range);
+  void UploadCorners(const std::vector<SliceCorner>& corners);
   void OrderPolygons(bool backToFront);
+  void OrderTiles(bool backToFront);
   void DrawRays(const Scene& scene, vtkOpenGLRenderWindow* window, const glm::ivec4& rectangle);
-  void DrawSlabs(const Scene& scene, vtkOpenGLRenderWindow* window, const glm::ivec4& rectangle);
+  void DrawSlabs(const Scene& scene, vtkOpenGLRenderWindow* window);
   void DrawPolygons(const Scene& scene, vtkOpenGLRenderWindow* window);
   void MergeBatch(const Scene& scene, vtkOpenGLRenderWindow* window);
   void SetBlending(const Scene& scene, vtkOpenGLRenderWindow* window);
 
-  SliceView View;  // of the polygons on the device
-  SlabRange Range; // of the slabs that have them
-  int Threads = 0; // that made them
+  TileView View;      // of the polygons on the device
+  bool Tiled = false; // which are tiles
+  SlabRange Range;    // of the slabs that have them
+  int Threads = 0;    // that made them
   SlicePolygons Polygons;
+  SliceTiles Tiles;
+  std::size_t CornerBytes = 0;
   std::vector<int> Firsts; // in drawing order, polygons without corners left out
   std::vector<int> Counts;
   OffscreenTarget Rays; // what the slabs have in common for each pixel

@@ -1,0 +1,53 @@
+// What the transfer function makes of the macrocells: which are empty, and how far a ray in one may
+// go before it meets another kind.
+#ifndef volumebench_CellMap_h
+#define volumebench_CellMap_h
+
+#include "VolumeBenchEngineModule.h"
+
+#include "Scene/MacrocellGrid.h"
+#include "Scene/Scene.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace volumebench
+{
+enum class CellKind : std::uint8_t
+{
+  Empty = 0, // no value in it has any extinction
+  Occupied = 1
+};
+
+struct CellMap
+{
+  glm::ivec3 Cells{ 0 };
+  int EdgeVoxels = 8;
+
+  /// Kind (high byte) and Chebyshev distance in cells to the nearest cell of another kind (low
+  /// byte, at most 255): all cells nearer than that are alike. Space outside the grid counts as
+  /// alike. Empty for Maximum and Minimum.
+  std::vector<std::uint16_t> Codes;
+
+  /// For Maximum and Minimum: the largest or smallest stored value of each cell.
+  std::vector<float> Extremes;
+
+  /// The box round all occupied cells, in voxels from the middle of the volume's box.
+  glm::dvec3 OccupiedLow{ 0.0 };
+  glm::dvec3 OccupiedHigh{ 0.0 };
+  double OccupiedShare = 1.0; // of the cells
+  ChangeStamp Stamp = 0;
+};
+
+/// For the blend modes Composite and Gradient, whose empty cells change nothing.
+VOLUMEBENCHENGINE_EXPORT CellMap MapOccupiedCells(const MacrocellGrid& grid, const Scene& scene);
+
+/// For Maximum and Minimum, whose cells matter only to rays that have not met a greater extreme.
+VOLUMEBENCHENGINE_EXPORT CellMap MapExtremes(const MacrocellGrid& grid, const Scene& scene);
+
+/// Chebyshev distance of each cell to the nearest of another kind, at most 255; x runs fastest.
+VOLUMEBENCHENGINE_EXPORT std::vector<std::uint8_t> DistancesToOtherKinds(
+  const std::vector<CellKind>& kinds, const glm::ivec3& cells);
+}
+
+#endif

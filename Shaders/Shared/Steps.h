@@ -1,0 +1,68 @@
+// Where the steps of a ray lie.
+
+// Whether the extreme of a step is that of its two ends, which finds the ends of the ray exactly
+// and extremes between to second order. Next to hidden parts the middle speaks for the step.
+#if (WITH_MAXIMUM_BLEND || WITH_MINIMUM_BLEND) && !WITH_BLANKING && !WITH_CROP_REGIONS
+#define EXTREME_OF_ENDS 1
+#else
+#define EXTREME_OF_ENDS 0
+#endif
+
+#if WITH_SEGMENT || WITH_PREINTEGRATED
+#define BETWEEN_ENDS 1
+#else
+#define BETWEEN_ENDS 0
+#endif
+
+// How jitter moves the steps of a ray: each sample to the same share of its step or, where a step is
+// taken from both its ends, the borders between steps. Then the first step is that share of a whole
+// one, and the last is what is left. Either way the mean over the shares is of second order.
+#if WITH_JITTER && (BETWEEN_ENDS || EXTREME_OF_ENDS)
+#define BORDERS_MOVE 1
+#else
+#define BORDERS_MOVE 0
+#endif
+
+#if WITH_SEGMENT
+#define SAMPLES_OF_STEP 2
+#else
+#define SAMPLES_OF_STEP 1
+#endif
+
+// By how much jitter moves the borders between steps of this length towards the eye.
+FUNC real borderShift(Ray ray, real stepLength)
+{
+#if BORDERS_MOVE
+  return (REAL(1.0) - ray.jitter) * stepLength;
+#else
+  return REAL(0.0);
+#endif
+}
+
+FUNC int stepCountOf(SCENE_PARAM Ray ray, Interval interval)
+{
+  real stepLength = scene.sampling.x;
+  real toBorders = interval.end - interval.begin + borderShift(ray, stepLength);
+  return interval.end > interval.begin ? TO_INT(ceil(toBorders / stepLength)) : 0;
+}
+
+// Where a step begins: begin + i * step from an integer i, so jumps over empty space land on the
+// same samples.
+FUNC real stepBeginOf(SCENE_PARAM Ray ray, Interval interval, int index)
+{
+  real along = TO_REAL(index) * scene.sampling.x;
+#if BORDERS_MOVE
+  along = max(along - borderShift(ray, scene.sampling.x), REAL(0.0));
+#endif
+  return interval.begin + along;
+}
+
+// How long a step is. The last may be short, and with borders that move the first is.
+FUNC real stepWidthOf(SCENE_PARAM Ray ray, Interval interval, int index, real stepBegin)
+{
+  real width = scene.sampling.x;
+#if BORDERS_MOVE
+  width = index == 0 ? width - borderShift(ray, width) : width;
+#endif
+  return min(width, interval.end - stepBegin);
+}
