@@ -1,6 +1,8 @@
 #include "vtkVolumeBenchViewCapture.h"
 
 #include "FloatRendering.h"
+#include "JsonText.h"
+#include "Techniques/Technique.h"
 #include "VtkSampleCounter.h"
 
 #include "vtkMultiBlockVolumeMapper.h"
@@ -9,6 +11,7 @@
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
 #include "vtkVolume.h"
+#include "vtkVolumeBenchMapper.h"
 #include "vtkVolumeCollection.h"
 
 #include <memory>
@@ -18,6 +21,63 @@ vtkStandardNewMacro(vtkVolumeBenchViewCapture);
 
 namespace
 {
+// Returns our mappers among those of the visible volumes.
+std::vector<vtkVolumeBenchMapper*> OurMappers(vtkRenderer* renderer)
+{
+  std::vector<vtkVolumeBenchMapper*> mappers;
+  vtkVolumeCollection* volumes = renderer->GetVolumes();
+  for (int i = 0; i < volumes->GetNumberOfItems(); ++i)
+  {
+    auto* volume = vtkVolume::SafeDownCast(volumes->GetItemAsObject(i));
+    auto* mapper = volume && volume->GetVisibility()
+      ? vtkVolumeBenchMapper::SafeDownCast(volume->GetMapper())
+      : nullptr;
+    if (mapper)
+    {
+      mappers.push_back(mapper);
+    }
+  }
+  return mappers;
+}
+
+std::string DescriptionOf(const vtkVolumeBenchMapper& mapper)
+{
+  using namespace volumebench;
+  const SetUpCosts costs = mapper.GetSetUpCosts();
+  return JsonObject({ { "features", JsonString(mapper.GetFeatures()) },
+    { "left_out", JsonString(mapper.GetLeftOut()) },
+    { "setup_ms.upload", JsonNumber(costs.UploadMs) },
+    { "setup_ms.tables", JsonNumber(costs.TablesMs) },
+    { "setup_ms.grid", JsonNumber(costs.GridMs) },
+    { "setup_ms.compile", JsonNumber(costs.CompileMs) },
+    { "bytes_on_device", JsonNumber(static_cast<double>(costs.BytesOnDevice)) } });
+}
+
+// Lets our visible volumes draw their counts while in scope.
+class CountingMappers
+{
+public:
+  explicit CountingMappers(vtkRenderer* renderer)
+    : Mappers(OurMappers(renderer))
+  {
+    this->Set(true);
+  }
+  ~CountingMappers() { this->Set(false); }
+  CountingMappers(const CountingMappers&) = delete;
+  CountingMappers& operator=(const CountingMappers&) = delete;
+
+private:
+  void Set(bool count)
+  {
+    for (vtkVolumeBenchMapper* mapper : this->Mappers)
+    {
+      mapper->SetCountSamples(count);
+    }
+  }
+
+  std::vector<vtkVolumeBenchMapper*> Mappers;
+};
+
 // Draws the visible volumes of VTK's GPU mapper through volumes of its own while in scope:
 // ParaView's prop keeps the one that it renders with, and its shader, to itself.
 class CountedVolumes
@@ -90,8 +150,10 @@ void vtkVolumeBenchViewCapture::Capture()
     }
     vtkRenderer* renderer = this->View->GetRenderer();
     std::unique_ptr<CountedVolumes> counted;
+    std::unique_ptr<CountingMappers> counting;
     if (this->CountSamples)
     {
+      counting = std::make_unique<CountingMappers>(renderer);
       counted = std::make_unique<CountedVolumes>(renderer);
     }
     volumebench::WriteFloatPicture(volumebench::RenderToFloat(renderer), this->FileName);
@@ -100,6 +162,14 @@ void vtkVolumeBenchViewCapture::Capture()
   {
     vtkErrorMacro("View not captured: " << error.what());
   }
+}
+
+const char* vtkVolumeBenchViewCapture::GetDescription()
+{
+  const auto mappers =
+    this->View ? OurMappers(this->View->GetRenderer()) : std::vector<vtkVolumeBenchMapper*>();
+  this->Description = mappers.size() == 1 ? DescriptionOf(*mappers.front()) : "{}";
+  return this->Description.c_str();
 }
 
 void vtkVolumeBenchViewCapture::PrintSelf(ostream& os, vtkIndent indent)

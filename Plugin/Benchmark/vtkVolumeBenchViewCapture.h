@@ -14,7 +14,7 @@
 #include "vtkObject.h"
 #include "vtkWeakPointer.h" // for the view
 
-#include <string> // for the file name
+#include <string> // for names and texts
 
 class vtkPVRenderView;
 class vtkPVView;
@@ -33,8 +33,9 @@ public:
 
   ///@{
   /**
-   * Instead of what ParaView's own volumes look like, write in red how many samples VTK's GPU
-   * mapper takes for each pixel; default off. Volumes with another mapper are left as they are.
+   * Instead of what volumes look like, write in red how many samples VTK's GPU mapper or ours takes
+   * for each pixel, and of ours in green and blue what it skips and whether it stops; default off.
+   * Volumes with another mapper are left as they are.
    */
   vtkSetMacro(CountSamples, bool);
   vtkGetMacro(CountSamples, bool);
@@ -44,6 +45,13 @@ public:
    * Renders and writes. What goes wrong is reported as one error that names the file or the cause.
    */
   void Capture();
+
+  /**
+   * What our mapper tells of its last frame in the view, as one JSON object whose members are
+   * named as the columns of the benchmark filter: features, left_out, setup_ms.*, bytes_on_device.
+   * An empty object unless exactly one volume of ours is visible.
+   */
+  const char* GetDescription();
 
 protected:
   vtkVolumeBenchViewCapture();
@@ -55,6 +63,7 @@ private:
 
   vtkWeakPointer<vtkPVRenderView> View;
   std::string FileName;
+  std::string Description;
   bool CountSamples = false;
 };
 

@@ -133,29 +133,41 @@ def times(frame_ms: list[float]) -> dict[str, Any]:
 def values_of_row(row: dict[str, Any]) -> dict[str, Any]:
     """Return the record values of a table row whose columns are dotted paths."""
     cleaned = {name: _cleaned(value) for name, value in row.items()}
-    groups = {
-        "frame_ms": Spread,
-        "gpu_ms": Spread,
-        "setup_ms": SetUpTimes,
-        "error": ImageError,
-    }
-    values: dict[str, Any] = {}
-    for name, group in groups.items():
-        parts = {part.name for part in fields(group)}
-        values[name] = group(**{part: cleaned.get(f"{name}.{part}") for part in parts})
+    values = described_values(row)
+    for name, group in (
+        ("frame_ms", Spread),
+        ("gpu_ms", Spread),
+        ("error", ImageError),
+    ):
+        values[name] = _group_of(cleaned, name, group)
     values["error"] = replace(values["error"], image_size=_error_size(cleaned))
     stages = cleaned.get("stages_ms")
     values["stages_ms"] = json.loads(stages) if stages else None
-    for name in _LISTS:
-        text = cleaned.get(name)
-        values[name] = tuple(text.split()) if text else () if name in row else None
     for name in ("frames", "samples_taken", "samples_skipped", "rays_terminated"):
         values[name] = _whole(cleaned.get(name))
-    values["bytes_on_device"] = _whole(cleaned.get("bytes_on_device"))
     for name in ("fps", "reason"):
         values[name] = cleaned.get(name)
     values["status"] = cleaned.get("status") or FAILED
     return values
+
+
+def described_values(row: dict[str, Any]) -> dict[str, Any]:
+    """Return what a mapper tells of its last frame, from columns whose names are dotted paths."""
+    cleaned = {name: _cleaned(value) for name, value in row.items()}
+    values: dict[str, Any] = {
+        "setup_ms": _group_of(cleaned, "setup_ms", SetUpTimes),
+        "bytes_on_device": _whole(cleaned.get("bytes_on_device")),
+    }
+    for name in _LISTS:
+        text = cleaned.get(name)
+        values[name] = tuple(text.split()) if text else () if name in row else None
+    return values
+
+
+def _group_of(row: dict[str, Any], name: str, group: type) -> Any:
+    return group(
+        **{part.name: row.get(f"{name}.{part.name}") for part in fields(group)}
+    )
 
 
 def _error_size(row: dict[str, Any]) -> tuple[int, int] | None:

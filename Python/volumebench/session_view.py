@@ -1,5 +1,6 @@
 """Paths `view` and `interactive`: one ParaView render view with one display per technique."""
 
+import json
 import tempfile
 from pathlib import Path
 from typing import Any
@@ -16,7 +17,7 @@ from .study import COMPOSITE, Scene, Study
 from .technique_settings import TECHNIQUE_SETTINGS
 from .techniques import TECHNIQUES
 from .transfer_functions import TransferFunction
-from .view_measure import Sampling, Unsupported
+from .view_measure import SampleCount, Sampling, Unsupported, sample_count
 from .volume_io import OpenVolume
 
 CAPTURE_PROXY = "VolumeBenchmarkViewCapture"
@@ -40,6 +41,7 @@ class ViewStage:
         self._view = _plain_view(scene.image_size)
         self._producers: dict[str, Any] = {}
         self._displays: dict[str, Any] = {}
+        self._shown = ""
         self._folder = tempfile.TemporaryDirectory(prefix="volumebench-")
         self._capture = self._make_capture()
         self._log = ErrorLog().__enter__()
@@ -65,6 +67,7 @@ class ViewStage:
             self._displays[sampling.technique] = self._make_display(sampling.technique)
         for technique, display in self._displays.items():
             display.Visibility = int(technique == sampling.technique)
+        self._shown = sampling.technique
         if not TECHNIQUES[sampling.technique].peer:
             display = self._displays[sampling.technique]
             display.Integrator = sampling.integrator
@@ -77,8 +80,8 @@ class ViewStage:
             for name, value in sampling.settings:
                 _set(display, TECHNIQUE_SETTINGS[name].property, value)
 
-    def render(self, pose: CameraPose, interactive: bool) -> None:
-        """Set the camera and render one frame to its end."""
+    def place(self, pose: CameraPose) -> None:
+        """Set the camera of the next picture."""
         renderer = self._view.GetClientSideObject().GetRenderer()
         camera = renderer.GetActiveCamera()
         camera.SetPosition(pose.position)
@@ -86,6 +89,10 @@ class ViewStage:
         camera.SetViewUp(pose.view_up)
         camera.SetViewAngle(pose.view_angle_degrees)
         renderer.ResetCameraClippingRange()
+
+    def render(self, pose: CameraPose, interactive: bool) -> None:
+        """Set the camera and render one frame to its end."""
+        self.place(pose)
         if interactive:
             self._view.SMProxy.InteractiveRender()
         else:
@@ -113,10 +120,10 @@ class ViewStage:
             )
         return values.reshape(height, width, 4)[::-1].copy()
 
-    def count_samples(self) -> int | None:
-        """Return the samples that VTK's mapper takes for the picture that ParaView's Volume shows.
+    def count_samples(self) -> SampleCount | None:
+        """Return the samples that the picture takes.
 
-        None where it is not VTK's GPU mapper that draws.
+        None where neither VTK's GPU mapper nor ours draws, or ours does not count.
         """
         self._capture.CountSamples = 1
         try:
@@ -124,9 +131,17 @@ class ViewStage:
         finally:
             self._capture.CountSamples = 0
             self._capture.UpdateVTKObjects()
-        counts = picture[..., 0].astype(np.float64)
-        whole = np.isfinite(counts).all() and (counts == np.floor(counts)).all()
-        return int(counts.sum()) if whole and counts.any() else None
+        return sample_count(picture, self._is_peer_shown())
+
+    def describe(self) -> dict[str, Any]:
+        """Return what our mapper tells of its last frame, by columns; nothing of a peer's."""
+        if self._capture is None or self._is_peer_shown():
+            return {}
+        self._capture.UpdatePropertyInformation()
+        return json.loads(self._capture.GetProperty("Description").GetData())
+
+    def _is_peer_shown(self) -> bool:
+        return TECHNIQUES[self._shown].peer
 
     def compare(self, pairs: list[Pair]) -> ImageError:
         """Return the error over all pairs of (picture, reference), pooled."""

@@ -6,7 +6,7 @@ Only the stage (session_view.ViewStage) knows ParaView; this module decides what
 import time
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
-from typing import Protocol
+from typing import Any, Protocol
 
 import numpy as np
 
@@ -14,11 +14,11 @@ from .error import ImageError
 from .errors import BenchError
 from .measure import StopRule, shuffled
 from .orbit import Bounds, CameraPose, block_frames, error_frame, orbit_pose
-from .results import FAILED, OK, UNSUPPORTED, times
+from .results import FAILED, OK, UNSUPPORTED, described_values, times
 from .study import CELL_EXACT, FINE_STEPS, Run, Study
 from .summary import STANDARD_STEP_VOXELS
 from .technique_settings import Settings
-from .techniques import INTERACTIVE, PARAVIEW, REFERENCE_TECHNIQUE
+from .techniques import INTERACTIVE, PARAVIEW, REFERENCE_TECHNIQUE, TECHNIQUES, VIEW
 
 BLOCK_FRAMES = 4
 # VTK's mapper needs some interactive frames until its automatic step has settled.
@@ -48,12 +48,24 @@ class Sampling:
     reference_method: str | None = None
 
 
+@dataclass(frozen=True)
+class SampleCount:
+    """Of one picture or, as means, of several; a peer tells neither of the last two."""
+
+    taken: float
+    skipped: float | None = None
+    rays_terminated: float | None = None
+
+
 class Stage(Protocol):
     """One render view on one volume; pictures are float premultiplied RGBA, row 0 on top."""
 
     bounds: Bounds
 
     def show(self, sampling: Sampling) -> None:
+        ...
+
+    def place(self, pose: CameraPose) -> None:
         ...
 
     def render(self, pose: CameraPose, interactive: bool) -> None:
@@ -65,7 +77,10 @@ class Stage(Protocol):
     def compare(self, pairs: list[tuple[np.ndarray, np.ndarray]]) -> ImageError:
         ...
 
-    def count_samples(self) -> int | None:
+    def count_samples(self) -> "SampleCount | None":
+        ...
+
+    def describe(self) -> dict[str, Any]:
         ...
 
     def can_capture(self) -> bool:
@@ -78,6 +93,17 @@ class Stage(Protocol):
         ...
 
 
+def sample_count(picture: np.ndarray, peer: bool) -> SampleCount | None:
+    """Return the sums over a picture of counts; None if it holds anything but counts."""
+    counts = picture[..., :3].astype(np.float64)
+    if peer:
+        counts = counts[..., :1]
+    if not (np.isfinite(counts).all() and (counts == np.floor(counts)).all()):
+        return None
+    sums = counts.sum(axis=(0, 1))
+    return SampleCount(*map(float, sums)) if sums[:2].any() else None
+
+
 @dataclass
 class Contestant:
     """One run with the frames measured so far and, in the end, its outcome."""
@@ -88,7 +114,8 @@ class Contestant:
     status: str = OK
     reason: str | None = None
     error: ImageError = field(default_factory=ImageError)
-    samples_taken: int | None = None
+    samples: SampleCount | None = None
+    description: dict[str, Any] = field(default_factory=dict)
 
     def is_open(self) -> bool:
         """Tell whether another block is wanted."""
@@ -103,8 +130,19 @@ class Contestant:
         """Return what a record holds beyond the run itself."""
         measured = times(self.rule.frame_ms) if self.status == OK else {}
         outcome = {"status": self.status, "reason": self.reason, "error": self.error}
-        outcome["samples_taken"] = self.samples_taken
-        return outcome | measured
+        return outcome | measured | self._counts() | described_values(self.description)
+
+    def _counts(self) -> dict[str, int | None]:
+        counts = vars(self.samples) if self.samples else {}
+        names = {
+            "taken": "samples_taken",
+            "skipped": "samples_skipped",
+            "rays_terminated": "rays_terminated",
+        }
+        return {
+            name: None if counts.get(part) is None else round(counts[part])
+            for part, name in names.items()
+        }
 
 
 @dataclass
@@ -145,7 +183,7 @@ def measure_view(
             report(sum(_share(item, study) for item in contestants))
         turn += 1
     for contestant in contestants:
-        if contestant.status == OK and contestant.run.technique == PARAVIEW:
+        if contestant.status == OK and _is_counted(contestant.run):
             _guarded(stage, contestant, study, _count_samples)
     scene = runs[0].scene
     size = study.error_size(scene)
@@ -158,6 +196,11 @@ def measure_view(
             _guarded(stage, contestant, study, take)
         report(0.7 * len(runs) + 0.3 * (done + 1))
     return contestants, pictures
+
+
+def _is_counted(run: Run) -> bool:
+    """Tell whether samples are counted: of still pictures, and of all that ParaView's Volume shows."""
+    return run.technique == PARAVIEW or run.path == VIEW
 
 
 def _share(contestant: Contestant, study: Study) -> float:
@@ -209,6 +252,7 @@ def _run_block(stage: Stage, contestant: Contestant, study: Study) -> None:
         contestant.rule.add((time.perf_counter() - start_s) * 1000)
         if contestant.rule.spent_s() >= study.timing.time_limit_s:
             break
+    contestant.description = stage.describe()
 
 
 def _settle(
@@ -226,14 +270,26 @@ def _count_samples(stage: Stage, contestant: Contestant, study: Study) -> None:
     """Count the samples of a frame, in the timed size; mean over the error views."""
     if not stage.can_capture():
         return
-    stage.show(sampling_of(contestant.run, study))
+    run = contestant.run
+    stage.show(sampling_of(run, study))
     counts = []
     for view in range(max(study.error.views, 1)):
         pose = _error_pose(stage, study, view)
-        _settle(stage, pose, contestant.run.path, 1, study)
+        if TECHNIQUES[run.technique].peer:
+            _settle(stage, pose, run.path, 1, study)
+        else:
+            stage.place(pose)  # ours adapts nothing over frames
         counts.append(stage.count_samples())
     if None not in counts:
-        contestant.samples_taken = round(sum(counts) / len(counts))
+        contestant.samples = _mean_count(counts)
+
+
+def _mean_count(counts: list[SampleCount]) -> SampleCount:
+    def mean(name: str) -> float | None:
+        values = [getattr(count, name) for count in counts]
+        return None if None in values else sum(values) / len(values)
+
+    return SampleCount(mean("taken"), mean("skipped"), mean("rays_terminated"))
 
 
 def _reference_pictures(stage: Stage, study: Study, size: tuple[int, int]) -> Pictures:

@@ -185,6 +185,39 @@ def check_samples_of_paraviews_volume() -> None:
     assert rmse(capture(view), before) == 0, "counting changed the view"
 
 
+def check_what_our_own_volume_tells_of_a_frame() -> None:
+    """Straight through 16 voxels at a step of one: 16 samples a ray, and the facts of the frame."""
+    view = new_view()
+    display = show(wavelet(8), view)
+    display.StepVoxels = 1
+    color_by(display, view, "RTData")
+    opacity = simple.GetOpacityTransferFunction("RTData")
+    opacity.Points = [0, 0.01, 0.5, 0, 300, 0.01, 0.5, 0]
+    look(view, 0, 0)
+    view.CameraParallelProjection = 1
+    before = capture(view)
+    counts = capture(view, count_samples=True)
+    covered = counts[..., 0][counts[..., 0] > 0]
+    assert (abs(covered - 16) <= 1).all(), f"{covered.min():g} to {covered.max():g}"
+    assert ((counts[..., 0] > 0) == (before[..., 3] > 0)).all()
+    assert rmse(capture(view), before) == 0, "counting changed the view"
+    description = description_of(view)
+    assert description["bytes_on_device"] >= 17**3, description
+    assert "lighting" in description["left_out"].split(), description
+    assert description["setup_ms.upload"] > 0, description
+    display.SetRepresentationType("Volume")
+    simple.Render(view)
+    assert description_of(view) == {}, "ParaView's Volume is none of ours"
+
+
+def description_of(view: Any) -> dict[str, Any]:
+    proxy = servermanager.misc.VolumeBenchmarkViewCapture()
+    proxy.View = view
+    proxy.UpdateVTKObjects()
+    proxy.UpdatePropertyInformation()
+    return json.loads(proxy.GetProperty("Description").GetData())
+
+
 def check_samples_and_stages() -> None:
     """Counts are whole numbers above 0 where a technique counts; stages are JSON."""
     table = expect_rows(benchmark(wavelet(8)), 1)

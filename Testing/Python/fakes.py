@@ -1,5 +1,6 @@
 """A stage and a session without ParaView: a disc whose error follows step and integrator."""
 
+import math
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -7,7 +8,8 @@ from volumebench.error import ImageError
 from volumebench.errors import BenchError
 from volumebench.results import Context, record_of
 from volumebench.statistics import spread
-from volumebench.view_measure import Pictures, Sampling, Unsupported, measure_view
+from volumebench.view_measure import Pictures, SampleCount, Sampling, Unsupported
+from volumebench.view_measure import measure_view
 
 
 PICTURE_WIDTH = 40  # of the small study
@@ -32,6 +34,9 @@ class FakeStage:
             raise Unsupported('no representation "Volume OpenCL" in this build')
         self.sampling = sampling
         self.shown.append(sampling)
+
+    def place(self, pose) -> None:
+        self.pose = pose
 
     def render(self, pose, interactive: bool) -> None:
         if self.sampling.technique == self.broken:
@@ -58,8 +63,18 @@ class FakeStage:
             0.02 * step**2 if self.sampling.integrator == "Midpoint" else 0.02 * step
         )
 
-    def count_samples(self) -> int:
-        return 1000 * self.side
+    def count_samples(self) -> SampleCount:
+        return SampleCount(1000.0 * self.side)
+
+    def describe(self) -> dict:
+        if self.sampling.step_voxels is None:
+            return {}
+        return {
+            "left_out": "lighting clipping",
+            "setup_ms.upload": 3.0,
+            "setup_ms.grid": math.nan,
+            "bytes_on_device": 4096.0,
+        }
 
     def compare(self, pairs) -> ImageError:
         """RMSE inside the disc alone, and the size."""

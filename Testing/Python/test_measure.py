@@ -89,4 +89,6 @@ def test_error_views_are_spread_over_the_revolution():
     assert [error_frame(view, 3, 12) for view in range(3)] == [0, 4, 8]
     assert [error_frame(view, 2, 5) for view in range(2)] == [0, 2]
     assert error_frame(0, 1, 12) == 1, "off the axis"
-    assert error_frame(0, 0, 12) == 1, "without error views, the picture is of the same frame"
+    assert (
+        error_frame(0, 0, 12) == 1
+    ), "without error views, the picture is of the same frame"

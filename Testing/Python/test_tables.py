@@ -89,7 +89,16 @@ def test_settings_that_vary_have_a_table(records):
         *("slice threads", "FPS", "ms", "RMSE"),
         *("tessellation ms", "drawing ms", "display ms", "upload ms"),
     )
-    assert table.rows[0] == ("4", "22.2", "45.0", "1.00e-02", "5.00", "40.00", "5.00", "-")
+    assert table.rows[0] == (
+        "4",
+        "22.2",
+        "45.0",
+        "1.00e-02",
+        "5.00",
+        "40.00",
+        "5.00",
+        "-",
+    )
     assert table.rows[1][0] == "1" and table.rows[1][-1] == "1.00"
 
 

@@ -2,11 +2,13 @@
 
 from dataclasses import replace
 
+import numpy as np
 import pytest
 from fakes import CHECK_ERROR, FakeStage
 from volumebench.results import FAILED, OK, UNSUPPORTED
 from volumebench.study import ErrorSettings, Timing
-from volumebench.view_measure import BLOCK_FRAMES, SETTLE_FRAMES, measure_view
+from volumebench.view_measure import BLOCK_FRAMES, SETTLE_FRAMES, SampleCount
+from volumebench.view_measure import measure_view, sample_count
 
 
 @pytest.fixture
@@ -156,3 +158,36 @@ def test_a_broken_reference_leaves_errors_absent(calm):
     assert "no reference" in pictures.note
     assert all(item.status == OK for item in found.values())
     assert all(item.error.rmse is None for item in found.values())
+
+
+def test_ours_tells_samples_and_set_up_of_still_pictures_only(calm):
+    found, _ = measured(FakeStage(), calm, paths=("view", "interactive"))
+    for run, contestant in found.items():
+        values = contestant.values()
+        ours = run.technique != "paraview-volume"
+        counted = run.path == "view" or not ours
+        assert (values["samples_taken"] is not None) == counted
+        assert values["setup_ms"].upload == (3.0 if ours else None)
+        assert values["setup_ms"].grid is None, "what is no number is absent"
+        assert values["left_out"] == (("lighting", "clipping") if ours else None)
+        assert values["bytes_on_device"] == (4096 if ours else None)
+
+
+def counts(red=7.0, green=2.0, blue=1.0):
+    picture = np.zeros((2, 3, 4), np.float32)
+    picture[0, 0] = (red, green, blue, 0.5)
+    picture[1, 2] = (3, 0, 0, 0)
+    return picture
+
+
+def test_samples_are_summed_over_the_picture():
+    assert sample_count(counts(), peer=False) == SampleCount(10, 2, 1)
+    assert sample_count(counts(green=0.25), peer=True) == SampleCount(10)
+
+
+@pytest.mark.parametrize(
+    "picture",
+    [counts(red=0.5), counts(green=0.5), counts(blue=np.nan), np.zeros((2, 2, 4))],
+)
+def test_a_picture_that_holds_no_counts_is_not_summed(picture):
+    assert sample_count(picture, peer=False) is None
