@@ -5,8 +5,9 @@ import signal
 import sys
 from pathlib import Path
 
-from .datasets import with_stand_ins
+from .datasets import fitting_memory, free_memory_gb, with_stand_ins
 from .errors import BenchError
+from .findings import findings_of
 from .json_file import make_writable_folder
 from .plot import write_plots
 from .progress import Progress
@@ -18,11 +19,10 @@ from .stability_plot import write_stability_plot
 from .stability_report import FILE as REPORT_FILE
 from .stability_report import write_stability_report
 from .stability_study import is_stability_study, load_stability_study
-from .study import Study
+from .study import SCALING, Study
 from .study_file import find_study, load_study
 from .summary import unfinished
 from .tables import text_tables
-from .work_precision_tables import sweep_text
 
 
 class _Parser(argparse.ArgumentParser):
@@ -60,7 +60,8 @@ def study_of(options: argparse.Namespace) -> Study:
         study = study.only(_names(options.techniques))
     if options.data is not None and not options.data.is_dir():
         raise BenchError(f"--data {options.data}: no such folder")
-    return with_stand_ins(study.quick() if options.quick else study, options.data)
+    study = with_stand_ins(study.quick() if options.quick else study, options.data)
+    return fitting_memory(study, free_memory_gb())
 
 
 def _names(text: str) -> list[str]:
@@ -83,7 +84,7 @@ def run(options: argparse.Namespace) -> int:
     inputs = find_inputs(study, options.data, folder / "volumes")
     runner = Runner(study, inputs, folder, earlier)
     records = runner.records
-    if runner.missing:
+    if not runner.is_complete():
         from .session import Session, find_plugin
 
         session = Session(study, find_plugin(options.plugin))
@@ -125,12 +126,13 @@ def write_views(
     study: Study, folder: Path, runner: Runner, records: list[Record]
 ) -> None:
     """Write plots and report, and print the table."""
-    swept = bool(study.sweeps)
-    write_plots(folder, records, swept)
-    write_report(folder, study, runner.context, records, runner.notes)
+    if study.report != SCALING:  # its scenes differ in size only
+        write_plots(folder, records, bool(study.sweeps))
+    findings = findings_of(study, records, runner.start_rows, folder)
+    write_report(folder, study, runner.context, records, runner.notes, findings)
     print(text_tables(study, records))
-    if swept:
-        print(sweep_text(records))
+    if findings is not None:
+        print(findings.text())
     count = len(unfinished(records))
     print(
         f"{len(records)} rows, {count} without a measurement; {folder / 'report.html'}"

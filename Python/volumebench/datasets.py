@@ -55,6 +55,32 @@ def with_stand_ins(study: Study, data_folder: Path | None) -> Study:
     return study.with_datasets(stand_ins) if stand_ins else study
 
 
+def fitting_memory(study: Study, free_gb: float | None) -> Study:
+    """Return the study without the volumes that need more memory than is free, with a note."""
+    if free_gb is None:
+        return study
+    for dataset in study.datasets:
+        if (dataset.memory_gb or 0) > free_gb:
+            note = (
+                f"{dataset.name} is left out: it takes {dataset.memory_gb:g} GB of memory, and "
+                f"{free_gb:.0f} are free."
+            )
+            study = study.without_datasets({dataset.name}, note)
+    if not study.datasets:
+        raise StudyError(f"{study.name}: no volume fits the {free_gb:.0f} GB of memory")
+    return study
+
+
+def free_memory_gb() -> float | None:
+    """Return how much memory this machine can give, if it tells."""
+    try:
+        lines = Path("/proc/meminfo").read_text(encoding="ascii").splitlines()
+    except OSError:
+        return None
+    found = [line.split()[1] for line in lines if line.startswith("MemAvailable:")]
+    return int(found[0]) / 1024**2 if found else None
+
+
 def find_file(name: str, data_folder: Path | None) -> Path | None:
     """Return the file of a volume in the data folder, if there is one."""
     if data_folder is None:
@@ -66,7 +92,7 @@ def find_file(name: str, data_folder: Path | None) -> Path | None:
 def find_volume(dataset: Dataset, data_folder: Path | None, cache: Path) -> VolumeFile:
     """Return the file of a dataset; a generated one is written into the cache folder."""
     name = dataset.name
-    if name in GENERATORS:
+    if dataset.generator or name in GENERATORS:
         return VolumeFile(name, write_volume(_generator(dataset), cache))
     path = find_file(name, data_folder)
     if path is not None:
@@ -85,7 +111,7 @@ def find_volume(dataset: Dataset, data_folder: Path | None, cache: Path) -> Volu
 
 
 def _generator(dataset: Dataset) -> Generator:
-    kind = GENERATORS[dataset.name]
+    kind = GENERATORS[dataset.generator or dataset.name]
     given = asdict(dataset)
     known = (name for name in kind.__dataclass_fields__ if given[name] is not None)
     return kind(**{name: given[name] for name in known})

@@ -133,10 +133,83 @@ class Waves:
             yield quantised(value, self.scalar_type)
 
 
-GENERATORS: dict[str, type[Lemniscate] | type[Ball] | type[Waves]] = {
+@dataclass(frozen=True)
+class Shell:
+    """A spherical shell that fills a share of its box, or a solid ball where that is half or more.
+
+    Five times the share of the box, at most half, lies within its outer radius; of a solid ball,
+    the share does, so that at a share of 1 its surface passes through the corners. With r the
+    distance from the centre, m the middle of the wall (0 of a ball) and h half its thickness, the
+    value is 1 - ((r - m) / h)^2 in the wall and 0 elsewhere.
+    """
+
+    dims: tuple[int, int, int] = (128, 128, 128)
+    scalar_type: str = "uint8"
+    share: float = 0.1
+
+    OUTER_SHARES = 5  # thinner walls would fall between the voxels
+    SOLID_SHARE = 0.5
+
+    def file_stem(self) -> str:
+        """Return a name that holds every parameter, so that a stored volume can be reused."""
+        size = "x".join(str(count) for count in self.dims)
+        return f"shell-{size}-{self.scalar_type}-share{self.share:g}"
+
+    def radii(self) -> tuple[float, float]:
+        """Return inner and outer radius in half edges of the box; a ball has no inner one."""
+        if self.share >= self.SOLID_SHARE:
+            return 0.0, radius_around(self.share)
+        outer = min(self.OUTER_SHARES * self.share, self.SOLID_SHARE)
+        return radius_around(outer - self.share), radius_around(outer)
+
+    def slices(self) -> Iterator[np.ndarray]:
+        """Yield the slices along z, each [y, x], in the scalar type of the volume."""
+        inner, outer = self.radii()
+        middle, half = ((inner + outer) / 2, (outer - inner) / 2)
+        if inner == 0:
+            middle, half = 0.0, outer
+        x, y, z = (np.linspace(-1, 1, count) for count in self.dims)
+        plane = x[None, :] ** 2 + y[:, None] ** 2
+        for height in z:
+            across = (np.sqrt(plane + height**2) - middle) / half
+            yield quantised(1 - across**2, self.scalar_type)
+
+
+def share_within(radius: float) -> float:
+    """Return the share of the cube [-1, 1]^3 that lies within a distance from its centre.
+
+    Up to 1 a ball; up to sqrt(2) a ball without six caps; beyond that the caps overlap, and the
+    part of each cube that is left is integrated over its height.
+    """
+    if radius <= 1:
+        return math.pi * radius**3 / 6
+    if radius <= math.sqrt(2):
+        cap = math.pi * (radius - 1) ** 2 * (2 * radius + 1) / 3
+        return (4 * math.pi * radius**3 / 3 - 6 * cap) / 8
+    if radius >= math.sqrt(3):
+        return 1.0
+    height = (np.arange(4096) + 0.5) / 4096
+    disc = np.sqrt(radius**2 - height**2)  # its radius at that height, at least 1
+    edge = np.sqrt(np.maximum(disc**2 - 1, 0))  # where it leaves the square
+    angle = np.pi / 2 - 2 * np.arccos(np.minimum(1 / disc, 1))
+    area = np.where(edge >= 1, 1.0, edge + disc**2 * angle / 2)
+    return float(np.mean(area))
+
+
+def radius_around(share: float) -> float:
+    """Return the radius within which that share of the cube [-1, 1]^3 lies, by bisection."""
+    low, high = 0.0, math.sqrt(3)
+    for _ in range(60):
+        middle = (low + high) / 2
+        low, high = (middle, high) if share_within(middle) < share else (low, middle)
+    return (low + high) / 2
+
+
+GENERATORS: dict[str, type[Lemniscate] | type[Ball] | type[Waves] | type[Shell]] = {
     "lemniscate": Lemniscate,
     "ball": Ball,
     "waves": Waves,
+    "shell": Shell,
 }
 
 

@@ -5,6 +5,7 @@ from dataclasses import asdict
 from html import escape
 from pathlib import Path
 
+from .findings import Findings
 from .gallery import FOLDER as PICTURE_FOLDER
 from .gallery import Gallery, read_galleries
 from .json_file import write_atomically
@@ -12,7 +13,7 @@ from .page import head, page
 from .plot import FOLDER as PLOT_FOLDER
 from .plot import error_plot_file, fps_plot_file
 from .plot_style import PATH_TITLES
-from .report_style import HOW_SWEEPS_ARE_READ, HOW_TO_READ
+from .report_style import HOW_TO_READ
 from .results import Context, Record
 from .study import COMPOSITE, Scene, Study
 from .notes import SLOW_FACTOR, all_notes
@@ -31,8 +32,6 @@ from .summary import (
 )
 from .tables import Table, setting_tables, slow_table, stage_table
 from .techniques import REFERENCE_TECHNIQUE, TECHNIQUES
-from .work_precision import sentence
-from .work_precision_tables import sweep_remarks, sweep_tables
 
 UNEQUAL = (
     "<p><small>* not at equal error: no run was as accurate as the peer's</small></p>"
@@ -59,6 +58,7 @@ def write_report(
     context: Context,
     records: list[Record],
     notes: list[str],
+    findings: Findings | None = None,
 ) -> None:
     """Write report.html with everything inlined."""
     galleries = {gallery.scene: gallery for gallery in read_galleries(folder)}
@@ -69,7 +69,7 @@ def write_report(
     body = "\n".join(
         [
             head(study.name, study.description, context),
-            _sweep(study, records),
+            _findings(folder, findings),
             _summary(records),
             f'<section class="read"><h2>How to read this</h2>{HOW_TO_READ}</section>',
             *scenes,
@@ -95,15 +95,18 @@ def _summary(records: list[Record]) -> str:
     )
 
 
-def _sweep(study: Study, records: list[Record]) -> str:
-    """The sentence to quote, and what the sweeps tell over all scenes."""
-    if not study.sweeps:
+def _findings(folder: Path, findings: Findings | None) -> str:
+    """The sentence to quote, and what the study tells over all scenes."""
+    if findings is None:
         return ""
-    remarks = "".join(f"<li>{escape(text)}</li>" for text in sweep_remarks(records))
-    tables = "".join(_table(table) for table in sweep_tables(records))
+    remarks = "".join(f"<li>{escape(text)}</li>" for text in findings.remarks if text)
+    figures = "".join(
+        _figure(folder / PLOT_FOLDER / name, title) for name, title in findings.figures
+    )
+    tables = "".join(map(_table, findings.given_tables()))
     return (
-        f'<section><p class="lead">{escape(sentence(records))}</p>{tables}'
-        f"<ul>{remarks}</ul>{HOW_SWEEPS_ARE_READ}</section>"
+        f'<section><p class="lead">{escape(findings.sentence)}</p>{figures}{tables}'
+        f"<ul>{remarks}</ul>{findings.how_to_read}</section>"
     )
 
 

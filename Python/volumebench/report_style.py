@@ -66,3 +66,27 @@ them: "not reached" says whose runs do not get there, "at least" that our fastes
 accurate. ParaView's Volume has no setting for its step, so that it is one point. Samples are those of
 a frame, counted on the device; for VTK's mapper by its own shader.</small></p>
 """
+
+HOW_SPEED_IS_READ = """
+<p><small>ParaView's Volume and our representations draw the same data in the same render view, in
+turns, along x, along z and obliquely; the error is that of the three pictures together, the time the
+median of their frames. ParaView's Volume has no setting for its step, so that it is one point. Our
+time at its error is read off the curve of one variant (technique, integrator and settings), straight
+in log-log between two measured steps and nowhere beyond them; the fastest variant counts. "At least"
+says that the coarsest step measured is already more accurate. Samples are counted on the device, for
+ParaView's Volume by its own shader. The interval is that of two medians, each &plusmn; 1.57 quartile
+ranges over the square root of the frames; these quartiles also hold the difference between the three
+views, so that it is wide.</small></p>
+<p><small>A first picture is timed from the moment that the volume is in memory: its display is made,
+the data are uploaded, kernels are compiled, one still frame is drawn, each time in a new view on a new
+copy of the data. An edit makes all opacities a tenth lower, or as they were. Upload, tables, grid and
+compile are what our mapper says of that frame; of ParaView's it is not known.</small></p>
+"""
+
+HOW_SCALING_IS_READ = """
+<p><small>A quantity y over a factor x is fitted by y = a x<sup>b</sup>, least squares in log-log; the
+exponent b stands with its 95 % interval (Student's t), without one where there are two points only.
+Series at equal error read each time off the curve of one variant, as the error-time figures have it,
+and leave out volumes in which no two runs bracket that error. Set-up is upload, tables and grid; the
+kernels' compilation does not depend on the data.</small></p>
+"""

@@ -19,6 +19,8 @@ from .results import (
     write_results,
     write_settings,
 )
+from .start import FILE as START_FILE
+from .start import StartRow, read_start, write_start
 from .study import Run, Scene, Study
 from .techniques import ENGINE
 from .transfer_functions import (
@@ -45,12 +47,16 @@ class Session(Protocol):
     def run_view(self, volume: Any, function: Any, runs: Any, report: Any) -> Any:
         ...
 
+    def run_start(self, volume: Any, function: Any, report: Any) -> Any:
+        ...
+
 
 @dataclass
 class Inputs:
     """Everything a study reads, found and checked before anything is measured."""
 
     volumes: dict[str, VolumeFile] = field(default_factory=dict)
+    start_volumes: list[VolumeFile] = field(default_factory=list)
     functions: dict[str, TransferFunction] = field(default_factory=dict)
 
 
@@ -59,12 +65,14 @@ def find_inputs(study: Study, data_folder: Path | None, cache: Path) -> Inputs:
     folders = [study.folder, data_folder, TRANSFER_FUNCTION_FOLDER]
     given = [folder for folder in folders if folder is not None]
     inputs = Inputs()
-    for names in study.transfer_functions.values():
-        for name in names:
-            file = find_transfer_function(name, given)
-            inputs.functions[name] = load_transfer_function(file)
+    names = [name for item in study.transfer_functions.values() for name in item]
+    for name in names + ([study.start.transfer_function] if study.start else []):
+        file = find_transfer_function(name, given)
+        inputs.functions[name] = load_transfer_function(file)
     for dataset in study.datasets:
         inputs.volumes[dataset.name] = find_volume(dataset, data_folder, cache)
+    for dataset in study.start.datasets if study.start else ():
+        inputs.start_volumes.append(find_volume(dataset, data_folder, cache))
     return inputs
 
 
@@ -74,6 +82,7 @@ class Earlier:
 
     context: Context = field(default_factory=Context)
     records: list[Record] = field(default_factory=list)
+    start_rows: list[StartRow] = field(default_factory=list)
 
 
 def prepare_folder(study: Study, folder: Path, resume: bool) -> Earlier:
@@ -85,8 +94,10 @@ def prepare_folder(study: Study, folder: Path, resume: bool) -> Earlier:
         context, records = read_results(folder / "results.json")
         kept = [record for record in records if record.status != FAILED]
         earlier = Earlier(context, kept)
+        earlier.start_rows = read_start(folder)
     else:
         forget_galleries(folder)
+        (folder / START_FILE).unlink(missing_ok=True)
     write_settings(folder, study.settings())
     return earlier
 
@@ -105,6 +116,11 @@ class Runner:
         measured = {record.run().key() for record in earlier.records}
         self.missing = [run for run in study.runs() if run.key() not in measured]
         self.notes: list[str] = []
+        self.start_rows = earlier.start_rows
+
+    def is_complete(self) -> bool:
+        """Tell whether nothing is left to be measured."""
+        return not self.missing and (not self.study.start or bool(self.start_rows))
 
     def measure(self, session: Session, progress: Progress) -> list[Record]:
         """Measure all missing runs and return all records in study order."""
@@ -114,8 +130,26 @@ class Runner:
             if runs:
                 self._measure_dataset(session, dataset.name, runs, progress)
         self._write()
+        if self.study.start and not self.start_rows:
+            self._measure_start(session, progress)
         progress.close()
         return self.records
+
+    def _measure_start(self, session: Session, progress: Progress) -> None:
+        """Measure first pictures and edits; what cannot be read or shown becomes a note."""
+        start = self.study.start
+        function = self.inputs.functions[start.transfer_function]
+        for file in self.inputs.start_volumes:
+
+            def report(share: float) -> None:
+                progress.show(f"first pictures of {file.name}: {100 * share:.0f} %")
+
+            try:
+                volume = session.open_volume(file)
+                self.start_rows += session.run_start(volume, function, report)
+            except Exception as fault:  # the study has its other results
+                self.notes.append(f"first picture of {file.name}: {fault}")
+        write_start(self.folder, start, self.start_rows)
 
     def _measure_dataset(
         self, session: Session, name: str, runs: list[Run], progress: Progress

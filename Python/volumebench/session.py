@@ -17,10 +17,11 @@ from .session_engine import run_engine
 from .session_stability import run_stability
 from .session_view import ViewStage
 from .stability_study import StabilityStudy
-from .study import Run, Study
+from .start import StartRow, measure_start
+from .study import Run, Scene, Study
 from .transfer_functions import TransferFunction
 from .view_measure import Contestant, Pictures, measure_view
-from .volume_io import OpenVolume, open_volume
+from .volume_io import OpenVolume, bytes_of, copy_of, open_volume
 
 PLUGIN_VARIABLE = "VOLUMEBENCH_PLUGIN"
 PLUGIN_NAME = "VolumeBench"
@@ -110,6 +111,25 @@ class Session:
             return measure_view(stage, runs, self._study, report)
         finally:
             stage.close()
+
+    def run_start(
+        self,
+        volume: OpenVolume,
+        function: TransferFunction,
+        report: Callable[[float], None],
+    ) -> list[StartRow]:
+        """Measure the first picture of a volume and those after edits, of each technique."""
+        start = self._study.start
+        scene = Scene(volume.name, start.transfer_function, start.image_size)
+
+        def open_stage() -> ViewStage:
+            return ViewStage(copy_of(volume), function, scene, self._study)
+
+        volume_facts = (volume.name, volume.dims, volume.scalar_type)
+        return [
+            StartRow(*volume_facts, **values, volume_bytes=bytes_of(volume))
+            for values in measure_start(open_stage, function, self._study, report)
+        ]
 
 
 def _probe() -> tuple[Any, list[str]]:

@@ -112,7 +112,7 @@ def _set_properties(
     bench.LightingDamping = study.lighting_damping
     bench.OpacityPoints = [number for point in values.opacity for number in point]
     bench.ColorPoints = [number for point in values.color for number in point]
-    bench.ScalarOpacityUnitDistance = values.unit_distance(volume.spacing)
+    bench.ScalarOpacityUnitDistance = values.unit_distance(volume.spacing, volume.dims)
     bench.CameraPath = study.camera.path
     bench.Frames = study.camera.frames
     bench.Elevation = study.camera.elevation_degrees

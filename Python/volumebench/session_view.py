@@ -80,6 +80,11 @@ class ViewStage:
             for name, value in sampling.settings:
                 _set(display, TECHNIQUE_SETTINGS[name].property, value)
 
+    def set_function(self, function: TransferFunction) -> None:
+        """Give what is shown another transfer function."""
+        self._function = function.in_values(*self._volume.range)
+        self._set_functions(self._displays[self._shown])
+
     def place(self, pose: CameraPose) -> None:
         """Set the camera of the next picture."""
         renderer = self._view.GetClientSideObject().GetRenderer()
@@ -181,7 +186,7 @@ class ViewStage:
         display.SetScalarBarVisibility(self._view, False)
         display.Shade = int(self._study.lighting)
         display.ScalarOpacityUnitDistance = self._function.unit_distance(
-            self._volume.spacing
+            self._volume.spacing, self._volume.dims
         )
         self._set_functions(display)
         self._set_scene(display, technique)

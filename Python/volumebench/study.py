@@ -12,21 +12,29 @@ from .techniques import INTERACTIVE, PATHS, VIEW, find_technique
 COMPOSITE = "Composite"
 CELL_EXACT = "Cell Exact"
 FINE_STEPS = "Fine Steps"
+SPEED = "speed"
+SCALING = "scaling"
 BLEND_MODES = (COMPOSITE, "Maximum", "Minimum", "Average", "Gradient")
 
 
 @dataclass(frozen=True)
 class Dataset:
-    """A volume by name; dims, type and extent apply to generated volumes only.
+    """A volume by name; dims, type, extent and share apply to generated volumes only.
 
-    Where no file of that name is found, the generated volume `otherwise` takes its place and
-    says in `stands_for` whose place that is.
+    A generated one bears its generator's name, or names its `generator`. Where no file of a name is
+    found, the generated volume `otherwise` takes its place and says in `stands_for` whose place
+    that is. `image_sizes` are taken in place of the study's, and where less than `memory_gb` of
+    memory is free, the study goes on without the volume.
     """
 
     name: str
     dims: tuple[int, int, int] | None = None
     scalar_type: str | None = None
     extent: float | None = None
+    share: float | None = None
+    generator: str | None = None
+    image_sizes: tuple[tuple[int, int], ...] | None = None
+    memory_gb: float | None = None
     otherwise: str | None = None
     stands_for: str | None = None
 
@@ -132,6 +140,40 @@ class Sweep:
     integrators: tuple[str, ...]
     step_voxels: tuple[float, ...]
     settings: dict[str, tuple[Any, ...]] = field(default_factory=dict)
+    datasets: tuple[str, ...] = ()  # none: all of the study
+
+    def has(self, technique: str, scene: Scene, path: str) -> bool:
+        """Tell whether the sweep has runs of the technique there."""
+        inside = not self.datasets or scene.dataset in self.datasets
+        return inside and technique in self.techniques and path in self.paths
+
+
+@dataclass(frozen=True)
+class Start:
+    """What else is measured of some volumes: their first picture, and that after an edit."""
+
+    datasets: tuple[Dataset, ...]
+    transfer_function: str
+    techniques: tuple[str, ...]
+    image_size: tuple[int, int]
+    step_voxels: float = 1.0
+    repeats: int = 5
+    edits: int = 3
+
+
+@dataclass(frozen=True)
+class Series:
+    """Scenes that differ in one factor, over which growth is fitted.
+
+    Runs are compared at an RMSE, interpolated, or else at one integrator and step.
+    """
+
+    title: str
+    factor: str
+    datasets: tuple[str, ...]
+    rmse: float | None = None
+    integrator: str = "Midpoint"
+    step_voxels: float = 1.0
 
 
 @dataclass(frozen=True)
@@ -161,6 +203,9 @@ class Study:
     ray_set_up: str = "Box"
     lighting: bool = False
     lighting_damping: float = 0.0
+    report: str | None = None
+    start: Start | None = None
+    series: tuple[Series, ...] = ()
     folder: Path | None = None
     shortened: "Study | None" = None
 
@@ -170,7 +215,7 @@ class Study:
             Scene(dataset.name, name, size, blend_mode)
             for dataset in self.datasets
             for name in self.transfer_functions[dataset.name]
-            for size in self.image_sizes
+            for size in dataset.image_sizes or self.image_sizes
             for blend_mode in self.blend_modes
         ]
 
@@ -192,11 +237,7 @@ class Study:
     def _sweeps_of(self, technique: str, scene: Scene, path: str) -> list[Sweep]:
         """Return the sweeps of a technique; without any, one with the factors of the study."""
         if self.sweeps:
-            return [
-                sweep
-                for sweep in self.sweeps
-                if technique in sweep.techniques and path in sweep.paths
-            ]
+            return [sweep for sweep in self.sweeps if sweep.has(technique, scene, path)]
         settings = self._settings(technique, scene)
         return [
             Sweep((technique,), (path,), self.integrators, self.step_voxels, settings)
@@ -236,7 +277,7 @@ class Study:
             "ray_set_up": self.ray_set_up,
             "lighting": self.lighting,
             "lighting_damping": self.lighting_damping,
-        }
+        } | ({"start": _plain(asdict(self.start))} if self.start else {})
 
     def only(self, techniques: list[str]) -> "Study":
         """Return the study with these techniques in place of its own."""
@@ -283,6 +324,22 @@ class Study:
                 replace(item, dataset=named(item.dataset))
                 for item in self.technique_settings_scenes
             ),
+            sweeps=tuple(
+                replace(item, datasets=tuple(map(named, item.datasets)))
+                for item in self.sweeps
+            ),
+            series=tuple(
+                replace(item, datasets=tuple(map(named, item.datasets)))
+                for item in self.series
+            ),
+        )
+
+    def without_datasets(self, names: set[str], note: str) -> "Study":
+        """Return the study without some volumes, and with a note that says why."""
+        return replace(
+            self,
+            datasets=tuple(item for item in self.datasets if item.name not in names),
+            notes=(*self.notes, note),
         )
 
 
@@ -290,11 +347,13 @@ def _combinations(settings: dict[str, tuple[Any, ...]]) -> list[Settings]:
     return [tuple(zip(settings, values)) for values in product(*settings.values())]
 
 
-def _plain(values: dict[str, Any]) -> dict[str, Any]:
-    return {
-        key: list(value) if isinstance(value, tuple) else value
-        for key, value in values.items()
-    }
+def _plain(value: Any) -> Any:
+    """Return what JSON makes of nested values: lists in place of tuples."""
+    if isinstance(value, dict):
+        return {key: _plain(item) for key, item in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [_plain(item) for item in value]
+    return value
 
 
 def _ends(items: tuple[Any, ...]) -> tuple[Any, ...]:

@@ -7,17 +7,18 @@ from .errors import StudyError
 from .generators import GENERATORS
 from .json_file import check_schema, read_json
 from .orbit import FIXED_ANGLES, THREE_VIEWS
-from .study import Camera, Dataset, ErrorSettings, ScenePattern, Study, Sweep, Timing
-from .study import with_runs
+from .study import Camera, Dataset, ErrorSettings, ScenePattern, Series, Start, Study
+from .study import Sweep, Timing, with_runs
 from .technique_settings import TECHNIQUE_SETTINGS, settings_of_technique
-from .techniques import PATHS, find_technique
+from .techniques import PATHS, VIEW, find_technique
 
 STUDY_FOLDER = Path(__file__).resolve().parent.parent / "Studies"
 _GROUPS = {"camera": Camera, "timing": Timing, "error": ErrorSettings}
 _PLAIN_KEYS = (
     *("description", "termination_threshold", "ray_set_up"),
-    *("lighting", "lighting_damping"),
+    *("lighting", "lighting_damping", "report"),
 )
+_ANY_VOLUME = ("name", "otherwise", "generator", "image_sizes", "memory_gb")
 _LIST_KEYS = ("integrators", "paths", "blend_modes", "notes")
 
 
@@ -38,6 +39,7 @@ def load_study(path: Path) -> Study:
     document = read_json(path)
     check_schema(document, "study_schema.json", path)
     quick = document.pop("quick", None)
+    _check_names(document, quick or {}, path)
     shortened = None
     if quick is not None:
         shortened = study_from(_shortened(document, quick, path), path)
@@ -85,6 +87,10 @@ def study_from(
             document.get("technique_settings", {}), "technique_settings", path
         ),
         "sweeps": _sweeps(document, path),
+        "series": tuple(
+            Series(**_with_tuples(item)) for item in document.get("series", ())
+        ),
+        "start": _start(document.get("start"), path),
         "technique_settings_scenes": tuple(
             ScenePattern(**_with_tuples(item))
             for item in document.get("technique_settings_scenes", ())
@@ -105,10 +111,36 @@ def study_from(
 
 
 def _with_tuples(values: dict[str, Any]) -> dict[str, Any]:
-    return {
-        key: tuple(value) if isinstance(value, list) else value
-        for key, value in values.items()
-    }
+    return {key: _tuples(value) for key, value in values.items()}
+
+
+def _tuples(value: Any) -> Any:
+    return tuple(map(_tuples, value)) if isinstance(value, list) else value
+
+
+def _start(item: dict[str, Any] | None, path: Path) -> Start | None:
+    if item is None:
+        return None
+    where = f'{path}: "start.techniques"'
+    for technique in item["techniques"]:
+        if VIEW not in find_technique(technique, where).paths:
+            raise StudyError(f'{where}: "{technique}" is not drawn in a ParaView view')
+    datasets = tuple(_dataset(given, path) for given in item["datasets"])
+    return Start(**_with_tuples(item) | {"datasets": datasets})
+
+
+def _check_names(document: dict[str, Any], quick: dict[str, Any], path: Path) -> None:
+    """Sweeps and series name datasets of the study; a quick one may leave out some of them."""
+    names = [item["name"] for item in document["datasets"]]
+    for part, prefix in ((document, ""), (quick, "quick.")):
+        for key in ("sweeps", "series"):
+            for index, item in enumerate(part.get(key, ())):
+                for name in item.get("datasets", ()):
+                    if name not in names:
+                        raise StudyError(
+                            f'{path}: "{prefix}{key}[{index}].datasets": "{name}" is not a '
+                            "dataset of this study"
+                        )
 
 
 def _check_views(error: ErrorSettings, camera: Camera, path: Path) -> None:
@@ -149,17 +181,23 @@ def _datasets(document: dict[str, Any], path: Path) -> tuple[Dataset, ...]:
 
 def _dataset(item: dict[str, Any], path: Path) -> Dataset:
     values = _with_tuples(item)
-    generated = values.get("otherwise", values["name"])
+    name = values["name"]
+    generated = values.get("otherwise", values.get("generator", name))
     where = f'{path}: "datasets"'
-    if "otherwise" in values and generated not in GENERATORS:
+    if "otherwise" in values and "generator" in values:
         raise StudyError(
-            f'{where}: "otherwise" of dataset "{values["name"]}" is "{generated}"; '
-            f'it must be a generated volume: {", ".join(GENERATORS)}'
+            f'{where}: "{name}" has a "generator": it needs no "otherwise"'
         )
-    extra = [key for key in values if key not in ("name", "otherwise")]
+    for key in ("otherwise", "generator"):
+        if key in values and generated not in GENERATORS:
+            raise StudyError(
+                f'{where}: "{key}" of dataset "{name}" is "{generated}"; '
+                f'it must be a generated volume: {", ".join(GENERATORS)}'
+            )
+    extra = [key for key in values if key not in _ANY_VOLUME]
     if extra and generated not in GENERATORS:
         raise StudyError(
-            f'{where}: "{extra[0]}" of dataset "{values["name"]}" applies only to '
+            f'{where}: "{extra[0]}" of dataset "{name}" applies only to '
             f'generated volumes: {", ".join(GENERATORS)}'
         )
     known = GENERATORS[generated].__dataclass_fields__ if extra else ()
@@ -217,6 +255,7 @@ def _sweeps(document: dict[str, Any], path: Path) -> tuple[Sweep, ...]:
                     )
                 ),
                 checked[techniques[0]] if settings else {},
+                tuple(item.get("datasets", ())),
             )
         )
     return tuple(sweeps)

@@ -1,6 +1,6 @@
 """Transfer functions from JSON files: opacity per unit distance and colour over scalar values."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from .errors import StudyError
@@ -14,14 +14,19 @@ NORMALIZED = "normalized"
 
 @dataclass(frozen=True)
 class TransferFunction:
-    """Control points over the normalised scalar range or over scalar values."""
+    """Control points over the normalised scalar range or over scalar values.
+
+    The unit distance of the opacities is so many voxels or so many edges of the box; the other is
+    None. In edges, the picture does not change with the resolution of the volume.
+    """
 
     name: str
     description: str
     domain: str
     opacity: tuple[tuple[float, ...], ...]
     color: tuple[tuple[float, ...], ...]
-    unit_distance_voxels: float
+    unit_distance_voxels: float | None
+    unit_distance_edges: float | None = None
 
     def in_values(self, low: float, high: float) -> "TransferFunction":
         """Return the same function over scalar values, for data of this range."""
@@ -32,18 +37,21 @@ class TransferFunction:
         def scaled(points: tuple[tuple[float, ...], ...]) -> tuple:
             return tuple((low + point[0] * width, *point[1:]) for point in points)
 
-        return TransferFunction(
-            self.name,
-            self.description,
-            "value",
-            scaled(self.opacity),
-            scaled(self.color),
-            self.unit_distance_voxels,
+        return replace(
+            self,
+            domain="value",
+            opacity=scaled(self.opacity),
+            color=scaled(self.color),
         )
 
-    def unit_distance(self, spacing: tuple[float, float, float]) -> float:
-        """Return the unit distance in world units: voxels times the mean spacing."""
-        return self.unit_distance_voxels * sum(spacing) / 3
+    def unit_distance(
+        self, spacing: tuple[float, float, float], dims: tuple[int, int, int]
+    ) -> float:
+        """Return the unit distance in world units: voxels, or edges of the box, of mean length."""
+        if self.unit_distance_voxels is not None:
+            return self.unit_distance_voxels * sum(spacing) / 3
+        edges = [(count - 1) * length for count, length in zip(dims, spacing)]
+        return self.unit_distance_edges * sum(edges) / 3
 
 
 def find_transfer_function(name: str, folders: list[Path]) -> Path:
@@ -65,13 +73,18 @@ def load_transfer_function(path: Path) -> TransferFunction:
     normalized = document["domain"] == NORMALIZED
     for key in ("opacity", "color"):
         _check_ascending(document[key], key, normalized, path)
+    units = [document.get(f"unit_distance_{unit}") for unit in ("voxels", "edges")]
+    if units.count(None) != 1:
+        raise StudyError(
+            f'{path}: needs one of "unit_distance_voxels" and "unit_distance_edges"'
+        )
     return TransferFunction(
         document["name"],
         document.get("description", ""),
         document["domain"],
         tuple(tuple(float(value) for value in point) for point in document["opacity"]),
         tuple(tuple(float(value) for value in point) for point in document["color"]),
-        float(document["unit_distance_voxels"]),
+        *(None if value is None else float(value) for value in units),
     )
 
 

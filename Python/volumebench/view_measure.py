@@ -18,6 +18,7 @@ from .results import FAILED, OK, UNSUPPORTED, described_values, times
 from .study import CELL_EXACT, FINE_STEPS, Run, Study
 from .summary import STANDARD_STEP_VOXELS
 from .technique_settings import Settings
+from .transfer_functions import TransferFunction
 from .techniques import INTERACTIVE, PARAVIEW, REFERENCE_TECHNIQUE, TECHNIQUES, VIEW
 
 BLOCK_FRAMES = 4
@@ -65,6 +66,9 @@ class Stage(Protocol):
     def show(self, sampling: Sampling) -> None:
         ...
 
+    def set_function(self, function: TransferFunction) -> None:
+        ...
+
     def place(self, pose: CameraPose) -> None:
         ...
 
@@ -90,6 +94,9 @@ class Stage(Protocol):
         ...
 
     def take_errors(self) -> str | None:
+        ...
+
+    def close(self) -> None:
         ...
 
 

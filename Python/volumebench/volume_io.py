@@ -1,6 +1,6 @@
 """Reads volume files into VTK image data; needs VTK, but nothing of ParaView."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from vtkmodules.util import numpy_support
@@ -72,6 +72,21 @@ def open_volume(file: VolumeFile) -> OpenVolume:
         image.GetBounds(),
         (low, high),
     )
+
+
+def copy_of(volume: OpenVolume) -> OpenVolume:
+    """Return the volume in memory of its own, with nothing known yet of its values."""
+    image = vtkImageData()
+    image.DeepCopy(volume.image)
+    image.GetPointData().GetArray(volume.array).DataChanged()
+    image.GetPointData().GetArray(volume.array).Modified()
+    return replace(volume, image=image)
+
+
+def bytes_of(volume: OpenVolume) -> int:
+    """Return what the voxels take in memory."""
+    voxels = volume.image.GetPointData().GetArray(volume.array)
+    return voxels.GetNumberOfValues() * voxels.GetDataTypeSize()
 
 
 def _read(file: VolumeFile) -> vtkImageData:

@@ -3,6 +3,7 @@
 import math
 from dataclasses import dataclass
 
+from .fits import power_law
 from .results import OK, Record
 from .study import Scene
 from .summary import in_scene, is_peer, scenes_of
@@ -57,15 +58,34 @@ def front_of(points: list[Point]) -> list[Point]:
     return front
 
 
-def time_at(front: list[Point], rmse: float) -> float | None:
-    """Return the time at an error, on the front in log-log; None beyond its ends."""
+@dataclass(frozen=True)
+class Bracket:
+    """Two neighbours on a front, and how far an error is from the coarse one in log-log."""
+
+    coarse: Point
+    fine: Point
+    share: float
+
+    def between(self, coarse: float, fine: float) -> float:
+        """Return what lies at that share between two values, straight in log-log."""
+        return coarse * (fine / coarse) ** self.share
+
+
+def bracket_at(front: list[Point], rmse: float) -> Bracket | None:
+    """Return the neighbours that an error lies between; None beyond the ends."""
     for coarse, fine in zip(front, front[1:]):
         if fine.rmse <= rmse <= coarse.rmse:
             share = math.log(coarse.rmse / rmse) / math.log(coarse.rmse / fine.rmse)
-            return coarse.ms * (fine.ms / coarse.ms) ** share
-    if front and rmse in (front[0].rmse, front[-1].rmse):
-        return front[0].ms if rmse == front[0].rmse else front[-1].ms
+            return Bracket(coarse, fine, share)
+    if len(front) == 1 and rmse == front[0].rmse:
+        return Bracket(front[0], front[0], 0.0)
     return None
+
+
+def time_at(front: list[Point], rmse: float) -> float | None:
+    """Return the time at an error, on the front in log-log; None beyond its ends."""
+    found = bracket_at(front, rmse)
+    return found.between(found.coarse.ms, found.fine.ms) if found else None
 
 
 @dataclass(frozen=True)
@@ -200,7 +220,13 @@ def orders(records: list[Record]) -> list[Order]:
             }
             if len(curve) > 2:
                 steps = tuple(sorted(curve))
-                order = Order(scene, *method, _slope(curve), steps, stopping)
+                order = Order(
+                    scene,
+                    *method,
+                    power_law(list(curve.items())).exponent,
+                    steps,
+                    stopping,
+                )
                 result.append(order)
     return result
 
@@ -213,15 +239,6 @@ def _has_order(row: Record) -> bool:
         and row.step_voxels <= LARGEST_ORDER_STEP
         and not is_doubtful(row)
     )
-
-
-def _slope(curve: dict[float, float]) -> float:
-    """Return the least-squares slope of log(error) over log(step)."""
-    x = [math.log(step) for step in curve]
-    y = [math.log(error) for error in curve.values()]
-    mean_x, mean_y = sum(x) / len(x), sum(y) / len(y)
-    covariance = sum((a - mean_x) * (b - mean_y) for a, b in zip(x, y))
-    return covariance / sum((a - mean_x) ** 2 for a in x)
 
 
 @dataclass(frozen=True)

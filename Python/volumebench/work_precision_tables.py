@@ -2,7 +2,7 @@
 
 from .results import Record
 from .summary import number, sampling_text, scenes_of
-from .tables import Table, as_text
+from .tables import Table
 from .techniques import PARAVIEW, TECHNIQUES
 from .work_precision import (
     DOUBT_FACTOR,
@@ -17,7 +17,6 @@ from .work_precision import (
     points_of,
     sample_ratios,
     samples_verdict,
-    sentence,
 )
 
 NOT_REACHED = "not reached"
@@ -137,9 +136,3 @@ def sweep_remarks(records: list[Record]) -> list[str]:
     """Return the sentences that go with the tables."""
     verdict = samples_verdict(sample_ratios(records))
     return [text for text in (verdict, doubt_sentence(records)) if text]
-
-
-def sweep_text(records: list[Record]) -> str:
-    """Return sentence, tables and remarks for the terminal."""
-    tables = [as_text(table) for table in sweep_tables(records)]
-    return "\n".join([sentence(records), *tables, *sweep_remarks(records)])

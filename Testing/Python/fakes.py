@@ -7,6 +7,7 @@ import numpy as np
 from volumebench.error import ImageError
 from volumebench.errors import BenchError
 from volumebench.results import Context, record_of
+from volumebench.start import StartRow, measure_start
 from volumebench.statistics import spread
 from volumebench.view_measure import Pictures, SampleCount, Sampling, Unsupported
 from volumebench.view_measure import measure_view
@@ -26,6 +27,8 @@ class FakeStage:
         self.sampling: Sampling | None = None
         self.shown: list[Sampling] = []
         self.rendered: list[tuple[Sampling, tuple, bool]] = []
+        self.functions: list = []
+        self.closed = False
         self.side = 16
         self.complaint: str | None = None
 
@@ -34,6 +37,12 @@ class FakeStage:
             raise Unsupported('no representation "Volume OpenCL" in this build')
         self.sampling = sampling
         self.shown.append(sampling)
+
+    def set_function(self, function) -> None:
+        self.functions.append(function)
+
+    def close(self) -> None:
+        self.closed = True
 
     def place(self, pose) -> None:
         self.pose = pose
@@ -132,6 +141,10 @@ class FakeSession:
         self.measured += runs
         contestants, pictures = measure_view(self.stage, runs, self.study, report)
         return [self._with_time(item) for item in contestants], pictures
+
+    def run_start(self, volume, function, report):
+        found = measure_start(FakeStage, function, self.study, report)
+        return [StartRow("shell", volume.dims, "uint16", **values) for values in found]
 
     def _with_time(self, contestant):
         contestant.rule.frame_ms = [frame_ms(contestant.run) + i for i in range(4)]

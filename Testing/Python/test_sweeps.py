@@ -207,10 +207,10 @@ def test_report_opens_with_the_sentence(folder):
 
 def test_tables_of_a_sweep_are_printed(folder, capsys, study):
     from volumebench.results import read_results
-    from volumebench.work_precision_tables import sweep_text
+    from volumebench.findings import sweep_findings
 
     _, records = read_results(folder / "results.json")
-    text = sweep_text(records)
+    text = sweep_findings(records).text()
     assert text.startswith("At equal error")
     assert "lemniscate, ramp, 40 x 30" in text
 

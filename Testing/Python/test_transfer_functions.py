@@ -13,7 +13,9 @@ from volumebench.transfer_functions import (
 
 
 def load(write_json, **changes):
-    return load_transfer_function(write_json(ramp_document() | changes, "tf.json"))
+    given = ramp_document() | changes
+    document = {key: value for key, value in given.items() if value is not None}
+    return load_transfer_function(write_json(document, "tf.json"))
 
 
 def test_normalized_points_are_mapped_to_the_scalar_range(write_json):
@@ -35,7 +37,23 @@ def test_a_constant_volume_still_has_ascending_points(write_json):
 
 
 def test_unit_distance_is_voxels_times_mean_spacing(write_json):
-    assert load(write_json).unit_distance((1, 2, 3)) == pytest.approx(4)
+    assert load(write_json).unit_distance((1, 2, 3), (9, 9, 9)) == pytest.approx(4)
+
+
+def test_unit_distance_may_be_a_share_of_the_box(write_json):
+    """Edges of 8 * 1, 16 * 2 and 4 * 3 are 52 / 3 in the mean; another grid of the box is as far."""
+    function = load(write_json, unit_distance_voxels=None, unit_distance_edges=0.5)
+    assert function.unit_distance((1, 2, 3), (9, 17, 5)) == pytest.approx(26 / 3)
+    finer = function.in_values(3, 9).unit_distance((0.5, 1, 1.5), (17, 33, 9))
+    assert finer == pytest.approx(26 / 3)
+
+
+@pytest.mark.parametrize("changes", [{}, {"unit_distance_voxels": 1}])
+def test_there_is_one_unit_distance(write_json, changes):
+    given = {"unit_distance_voxels": None, "unit_distance_edges": None} | changes
+    given["unit_distance_edges"] = 1 if changes else None
+    with pytest.raises(StudyError, match="needs one of"):
+        load(write_json, **given)
 
 
 @pytest.mark.parametrize(

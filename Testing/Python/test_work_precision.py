@@ -5,6 +5,7 @@ from dataclasses import replace
 
 import pytest
 from volumebench.error import ImageError
+from volumebench.findings import sweep_findings
 from volumebench.results import Record, record_of
 from volumebench.statistics import spread
 from volumebench.study import Run, Scene
@@ -26,7 +27,6 @@ from volumebench.work_precision_tables import (
     order_table,
     sample_table,
     speed_up_table,
-    sweep_text,
 )
 
 SCENE = Scene("waves", "fog", (64, 64))
@@ -265,6 +265,6 @@ def test_geometric_mean():
 
 
 def test_text_has_the_sentence_first():
-    text = sweep_text(paraview_and_ours())
+    text = sweep_findings(paraview_and_ours()).text()
     assert text.startswith("At equal error")
     assert "Samples at ParaView's own error" in text

@@ -1,0 +1,115 @@
+"""What opens the report of a study: its sentence, tables and figures, by the kind of its report."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import matplotlib.pyplot as plt
+
+from .plot import FOLDER, save_figure
+from .plot_style import STYLE
+from .report_style import (
+    HOW_SCALING_IS_READ,
+    HOW_SPEED_IS_READ,
+    HOW_SWEEPS_ARE_READ,
+)
+from .results import Record
+from .scaling import remarks as scaling_remarks
+from .scaling import sentence as scaling_sentence
+from .scaling_plot import series_figures
+from .scaling_tables import scaling_tables
+from .speed import sentence as speed_sentence
+from .speed_plot import ratio_figure
+from .speed_tables import (
+    edit_table,
+    first_table,
+    ratio_tables,
+    saving_table,
+    start_remarks,
+)
+from .start import StartRow
+from .study import SCALING, SPEED, Study
+from .tables import Table, as_text
+from .work_precision import sentence
+from .work_precision_tables import doubt_sentence, sweep_remarks, sweep_tables
+
+
+@dataclass(frozen=True)
+class Findings:
+    """Tables may be None where there is nothing to put in them; figures are file and title."""
+
+    sentence: str
+    tables: tuple[Table | None, ...]
+    remarks: tuple[str | None, ...]
+    how_to_read: str
+    figures: tuple[tuple[str, str], ...] = ()
+
+    def given_tables(self) -> list[Table]:
+        """Return the tables that have rows."""
+        return [table for table in self.tables if table]
+
+    def text(self) -> str:
+        """Return sentence, tables and remarks for the terminal."""
+        tables = [as_text(table) for table in self.given_tables()]
+        return "\n".join([self.sentence, *tables, *filter(None, self.remarks)])
+
+
+def findings_of(
+    study: Study, records: list[Record], start_rows: list[StartRow], folder: Path
+) -> Findings | None:
+    """Return what the study tells, with its figures written; None of one without sweeps."""
+    if study.report == SPEED:
+        return _speed(records, start_rows, folder)
+    if study.report == SCALING:
+        return _scaling(study, records, folder)
+    if study.sweeps:
+        return sweep_findings(records)
+    return None
+
+
+def sweep_findings(records: list[Record]) -> Findings:
+    """Return what sweeps of error against time tell."""
+    tables, remarks = sweep_tables(records), sweep_remarks(records)
+    return Findings(
+        sentence(records), tuple(tables), tuple(remarks), HOW_SWEEPS_ARE_READ
+    )
+
+
+def _speed(records: list[Record], start_rows: list[StartRow], folder: Path) -> Findings:
+    tables = ratio_tables(records)
+    tables += [saving_table(records), first_table(start_rows), edit_table(start_rows)]
+    remarks = [doubt_sentence(records), *start_remarks(start_rows)]
+    title = "Frame-time ratio against ParaView's Volume"
+    figures = _written(folder, {"speed.png": (title, lambda: ratio_figure(records))})
+    return Findings(
+        speed_sentence(records),
+        tuple(tables),
+        tuple(remarks),
+        HOW_SPEED_IS_READ,
+        figures,
+    )
+
+
+def _scaling(study: Study, records: list[Record], folder: Path) -> Findings:
+    return Findings(
+        scaling_sentence(study, records),
+        tuple(scaling_tables(study, records)),
+        tuple(scaling_remarks(study, records)),
+        HOW_SCALING_IS_READ,
+        _written(folder, series_figures(study, records)),
+    )
+
+
+def _written(
+    folder: Path, figures: dict[str, tuple[str, Callable[[], Any | None]]]
+) -> tuple[tuple[str, str], ...]:
+    """Write the figures that have something to show; return file and title of each."""
+    written = []
+    for name, (title, make) in figures.items():
+        with plt.rc_context(STYLE):
+            figure = make()
+            if figure is not None:
+                save_figure(figure, folder / FOLDER / name)
+                written.append((name, title))
+    return tuple(written)
