@@ -24,6 +24,7 @@ from .speed_plot import ratio_figure
 from .speed_tables import (
     edit_table,
     first_table,
+    left_out_remarks,
     ratio_tables,
     saving_table,
     start_remarks,
@@ -79,7 +80,8 @@ def sweep_findings(records: list[Record]) -> Findings:
 def _speed(records: list[Record], start_rows: list[StartRow], folder: Path) -> Findings:
     tables = ratio_tables(records)
     tables += [saving_table(records), first_table(start_rows), edit_table(start_rows)]
-    remarks = [doubt_sentence(records), *start_remarks(start_rows)]
+    remarks = [*start_remarks(start_rows), doubt_sentence(records)]
+    remarks += left_out_remarks(records)
     title = "Frame-time ratio against ParaView's Volume"
     figures = _written(folder, {"speed.png": (title, lambda: ratio_figure(records))})
     return Findings(

@@ -106,7 +106,7 @@ def factor_of(study: Study, series: Series, scene: Scene) -> float:
     if series.factor == "share":
         return dataset.share
     width, height, depth = dataset.dims
-    return (width * height * depth) ** (1 / 3)
+    return round((width * height * depth) ** (1 / 3), 6)  # a cube has its own edge
 
 
 def _quantities(series: Series, rows: list[Record]) -> dict[str, float | None]:

@@ -1,11 +1,15 @@
 """Volumes are found by name, generated ones have the stated field, faults name file and place."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from volumebench import datasets
-from volumebench.datasets import find_volume, with_stand_ins
+from volumebench.datasets import find_volume, fitting_memory, free_memory_gb
+from volumebench.datasets import with_stand_ins
 from volumebench.errors import BenchError, StudyError
-from volumebench.generators import Ball, Lemniscate, write_volume
+from volumebench.generators import Ball, Lemniscate, Shell
+from volumebench.generators import radius_around, share_within, write_volume
 from volumebench.study import Dataset
 from volumebench.study_file import load_study
 
@@ -179,3 +183,79 @@ def test_raw_volume_without_sidecar(tmp_path):
     (tmp_path / "ct.raw").write_bytes(b"1234")
     with pytest.raises(StudyError, match="ct.json is missing"):
         find_volume(Dataset("ct"), tmp_path, tmp_path)
+
+
+@pytest.mark.parametrize("share", [0.01, 0.1, 0.3, 0.5, 0.8, 1.0])
+@pytest.mark.parametrize("scalar_type", ["uint8", "float32"])
+def test_shell_fills_its_share_of_the_box(share, scalar_type):
+    """The outermost points stand for half a cell only: 3 % of 96 points."""
+    volume = voxels(Shell((96, 96, 96), scalar_type, share))
+    assert (volume > 0).mean() == pytest.approx(share, rel=0.07)
+    top = 255 if scalar_type == "uint8" else 1
+    assert volume.max() == pytest.approx(top, rel=0.05)
+
+
+def test_shell_is_hollow_up_to_half_of_the_box():
+    assert voxels(Shell((33, 33, 33), "uint8", 0.3))[16, 16, 16] == 0
+    assert voxels(Shell((33, 33, 33), "uint8", 0.5))[16, 16, 16] == 255
+    inner, outer = Shell(share=0.1).radii()
+    assert np.pi / 6 * (outer**3 - inner**3) == pytest.approx(0.1)
+
+
+@pytest.mark.parametrize("radius", [0.5, 1.1, 1.4, 1.45, 1.6, 1.72])
+def test_share_of_a_cube_within_a_distance(radius):
+    """Against counting: in the ball, across the faces, and across the edges."""
+    axis = (np.arange(160) + 0.5) / 160
+    squares = axis[:, None, None] ** 2 + axis[:, None] ** 2 + axis**2
+    assert share_within(radius) == pytest.approx(
+        (squares < radius**2).mean(), abs=5e-4
+    )
+    assert radius_around(share_within(radius)) == pytest.approx(radius, abs=1e-3)
+
+
+def test_a_generated_volume_may_have_a_name_of_its_own(tmp_path):
+    dataset = Dataset("wall", (8, 8, 8), "uint8", share=0.25, generator="shell")
+    file = find_volume(dataset, None, tmp_path)
+    assert file.name == "wall"
+    assert file.path.name == "shell-8x8x8-uint8-share0.25.mhd"
+
+
+@pytest.mark.parametrize(
+    "item, expected",
+    [
+        ({"name": "a", "generator": "cone"}, '"generator" of dataset "a" is "cone"'),
+        ({"name": "a", "share": 0.5}, '"share" of dataset "a" applies only to'),
+        ({"name": "a", "generator": "ball", "share": 0.5}, '"share" does not apply'),
+        ({"name": "a", "generator": "shell", "share": 0}, "at most 1"),
+        (
+            {"name": "a", "generator": "ball", "otherwise": "ball"},
+            'it needs no "otherwise"',
+        ),
+        ({"name": "a", "memory_gb": 0}, "gigabytes, above 0"),
+    ],
+)
+def test_faults_of_generated_volumes_are_named(write_json, document, item, expected):
+    document["datasets"] = [item]
+    with pytest.raises(StudyError, match=expected):
+        load_study(write_json(document))
+
+
+def test_volumes_too_large_for_the_memory_are_left_out_with_a_note(study):
+    small = replace(study.datasets[0], memory_gb=2)
+    large = replace(small, name="large", memory_gb=8.5)
+    names = {"large": ("ramp",), small.name: ("ramp",)}
+    both = replace(study, datasets=(small, large), transfer_functions=names)
+    assert fitting_memory(both, 9).datasets == (small, large)
+    assert fitting_memory(both, None) is both
+    cut = fitting_memory(both, 8.4)
+    assert cut.datasets == (small,)
+    assert cut.notes == (
+        "large is left out: it takes 8.5 GB of memory, and 8 are free.",
+    )
+    assert {run.scene.dataset for run in cut.runs()} == {small.name}
+    with pytest.raises(StudyError, match="no volume fits the 1 GB"):
+        fitting_memory(both, 1.2)
+
+
+def test_this_machine_tells_its_memory():
+    assert free_memory_gb() > 0.1

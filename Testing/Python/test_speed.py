@@ -15,7 +15,7 @@ from volumebench.speed import (
     savings,
     sentence,
 )
-from volumebench.speed_tables import ratio_tables, saving_table
+from volumebench.speed_tables import left_out_remarks, ratio_tables, saving_table
 from volumebench.statistics import Spread
 from volumebench.study import SPEED
 from volumebench.work_precision import points_of
@@ -156,13 +156,20 @@ def test_a_saving_is_a_pair_that_differs_in_skipping_alone():
     assert saving_table(others) is None
 
 
-def test_tables_name_what_is_left_out_and_stand_ins():
-    rows = [replace(item, left_out=("lighting", "clipping")) for item in segment()]
+def test_tables_tell_stand_ins():
     theirs = replace(paraview(), stand_in_for="ct_head")
-    cells = dict(zip((table := ratio_tables([theirs, *rows])[0]).header, table.rows[0]))
-    assert cells["left out"] == "lighting, clipping"
+    table = ratio_tables([theirs, *segment()])[0]
+    cells = dict(zip(table.header, table.rows[0]))
     assert cells["scene"].endswith("(stand-in)")
     assert (cells["ParaView's Msamples"], cells["our ms"]) == ("0.00", "40.0")
+
+
+def test_what_is_left_out_is_told_once():
+    rows = [replace(item, left_out=("lighting", "clipping")) for item in segment()]
+    other = [replace(item, transfer_function="spikes") for item in rows]
+    (text,) = left_out_remarks([paraview(), *rows, paraview(scene=OTHER), *other])
+    assert "lighting, clipping (waves, fog; waves, spikes)" in text
+    assert left_out_remarks([paraview(), *segment()]) == []
 
 
 def test_the_findings_have_a_figure_with_bars(tmp_path, study):
