@@ -139,23 +139,24 @@ def sentence(records: list[Record]) -> str:
     size = ", ".join(f"{width} x {height}" for width, height in sizes)
     text = (
         f"At ParaView's own error, VolumeBench draws still pictures {_range_text(own)} times as "
-        f"fast as ParaView's Volume in the same view ({_counted(own)} scenes, {size})"
+        f"fast as ParaView's Volume in the same view ({_counted(own)}, {size})"
     )
     if any(item.ours for item in at_level):
         text += (
             f"; at an RMSE of {LEVEL:g}, or ParaView's own where that is smaller, "
-            f"{_range_text(at_level)} times ({_counted(at_level)} scenes)"
+            f"{_range_text(at_level)} times ({_counted(at_level)})"
         )
     stand_ins = sum(item.paraview.stand_in_for is not None for item in own)
     if stand_ins:
-        text += f"; {stand_ins} of the {scenes} scenes are generated stand-ins"
+        text += f"; generated stand-ins in {stand_ins} of {scenes}"
     return text + "."
 
 
 def _counted(items: list[Ratio]) -> str:
     """Return of how many scenes; those whose error was not reached are not in the mean."""
     reached = sum(item.ours is not None for item in items)
-    return f"{reached}" if reached == len(items) else f"{reached} of {len(items)}"
+    count = f"{reached}" if reached == len(items) else f"{reached} of {len(items)}"
+    return f"{count} scene" + ("" if len(items) == 1 else "s")
 
 
 def _range_text(items: list[Ratio]) -> str:

@@ -130,7 +130,7 @@ def test_the_sentence_tells_mean_range_and_stand_ins():
         "12.0) times as fast as ParaView's Volume in the same view (2 scenes, 64 x 64)"
     )
     assert "at an RMSE of 0.001" in text and "3.0 (geometric mean; 1.5 to 6.0)" in text
-    assert "1 of the 2 scenes are generated stand-ins" in text
+    assert "generated stand-ins in 1 of 2" in text
 
 
 def test_the_sentence_says_where_the_error_was_not_reached():
