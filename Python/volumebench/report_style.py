@@ -77,8 +77,8 @@ says that the coarsest step measured is already more accurate. Samples are count
 ParaView's Volume by its own shader. The interval is that of two medians, each &plusmn; 1.57 quartile
 ranges over the square root of the frames; these quartiles also hold the difference between the three
 views, so that it is wide.</small></p>
-<p><small>A first picture is timed from the moment that the volume is in memory: its display is made,
-the data are uploaded, kernels are compiled, one still frame is drawn, each time in a new view on a new
+<p><small>A first picture is timed from the moment that the volume is in memory: its display is made
+(which is when ParaView finds the ranges of the data, whoever draws them), the data are uploaded, kernels are compiled, one still frame is drawn, each time in a new view on a new
 copy of the data. An edit makes all opacities a tenth lower, or as they were. Upload, tables, grid and
 compile are what our mapper says of that frame; of ParaView's it is not known.</small></p>
 """

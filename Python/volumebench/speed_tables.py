@@ -100,6 +100,7 @@ def first_table(rows: list[StartRow]) -> Table | None:
                 TECHNIQUES[row.technique].title,
                 row.reason or "",
                 _quartiles(row.first_ms),
+                number(row.show_ms.median, ".0f"),
                 *(
                     number(value, ".1f")
                     for value in (setup.upload, setup.tables, setup.grid, setup.compile)
@@ -110,6 +111,7 @@ def first_table(rows: list[StartRow]) -> Table | None:
             )
         )
     header = ("volume", "technique", "reason", "first picture, ms (quartiles)")
+    header += ("of it the display, ms",)
     header += (
         "upload ms",
         "tables ms",
