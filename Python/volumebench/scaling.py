@@ -137,8 +137,9 @@ def sentence(study: Study, records: list[Record]) -> str:
             item for item in found if item.series == series and item.quantity == FRAME
         ]
         if own and own[0].fit():
+            at_error = f" (RMSE {series.rmse:g})" if series.rmse else ""
             parts.append(
-                f"{series.title}: {SYMBOLS[series.factor]}^({own[0].exponent_text()})"
+                f"{series.title}{at_error}: {SYMBOLS[series.factor]}^({own[0].exponent_text()})"
             )
     if not parts:
         return "No series was measured at two places or more."

@@ -36,7 +36,7 @@ def ratio_figure(records: list[Record]) -> Any | None:
     panel.axvline(1, color=PEER_COLOR, linewidth=1)
     panel.set_yticks(
         range(len(scenes)),
-        [f"{scene.dataset}, {scene.transfer_function}" for scene in scenes],
+        [scene_label(item) for item in groups[0][2]],
     )
     panel.invert_yaxis()
     panel.grid(True, axis="x")
@@ -46,6 +46,12 @@ def ratio_figure(records: list[Record]) -> Any | None:
     )
     panel.legend(loc="upper center", bbox_to_anchor=(0.4, -0.12), ncol=2)
     return figure
+
+
+def scene_label(item: Ratio) -> str:
+    """Return the scene without its size, and whether a generated volume stands in."""
+    label = f"{item.scene.dataset}, {item.scene.transfer_function}"
+    return f"{label} (stand-in)" if item.paraview.stand_in_for else label
 
 
 def _bars(
