@@ -9,6 +9,7 @@ import numpy as np
 from paraview import servermanager, simple
 from support import (
     ERRORS,
+    LABEL,
     blob,
     capture,
     check_not_empty,
@@ -162,19 +163,24 @@ def check_three_views() -> None:
     assert table.GetColumnByName("view").GetValue(0) == "three-views"
 
 
-def check_samples_of_paraviews_volume() -> None:
-    """Straight through a cube of 16 voxels: as many samples as ParaView's step for so few voxels.
-
-    Below 100 cells an edge, VTK shortens its half voxel: times 0.01 + 0.99 * 16 / 100 for 16 cells.
-    """
-    source = wavelet(8)
+def faint_cube(label: str) -> tuple[Any, Any]:
+    """Return a view straight at a homogeneous cube of 16 voxels an edge, and its display."""
     view = new_view()
-    display = show(source, view, "Volume")
+    display = show(wavelet(8), view, label)
     color_by(display, view, "RTData")
     opacity = simple.GetOpacityTransferFunction("RTData")
     opacity.Points = [0, 0.01, 0.5, 0, 300, 0.01, 0.5, 0]
     look(view, 0, 0)
     view.CameraParallelProjection = 1
+    return view, display
+
+
+def check_samples_of_paraviews_volume() -> None:
+    """Straight through a cube of 16 voxels: as many samples as ParaView's step for so few voxels.
+
+    Below 100 cells an edge, VTK shortens its half voxel: times 0.01 + 0.99 * 16 / 100 for 16 cells.
+    """
+    view, _ = faint_cube("Volume")
     before = capture(view)
     counts = capture(view, count_samples=True)[..., 0]
     steps = 16 / (0.5 * (0.01 + 0.99 * 0.16))
@@ -187,14 +193,8 @@ def check_samples_of_paraviews_volume() -> None:
 
 def check_what_our_own_volume_tells_of_a_frame() -> None:
     """Straight through 16 voxels at a step of one: 16 samples a ray, and the facts of the frame."""
-    view = new_view()
-    display = show(wavelet(8), view)
+    view, display = faint_cube(LABEL)
     display.StepVoxels = 1
-    color_by(display, view, "RTData")
-    opacity = simple.GetOpacityTransferFunction("RTData")
-    opacity.Points = [0, 0.01, 0.5, 0, 300, 0.01, 0.5, 0]
-    look(view, 0, 0)
-    view.CameraParallelProjection = 1
     before = capture(view)
     counts = capture(view, count_samples=True)
     covered = counts[..., 0][counts[..., 0] > 0]
