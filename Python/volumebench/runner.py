@@ -119,7 +119,7 @@ class Runner:
         self.start_rows = earlier.start_rows
 
     def is_complete(self) -> bool:
-        """Tell whether nothing is left to be measured."""
+        """Tell whether an earlier run left nothing to be measured."""
         return not self.missing and (not self.study.start or bool(self.start_rows))
 
     def measure(self, session: Session, progress: Progress) -> list[Record]:

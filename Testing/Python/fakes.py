@@ -122,6 +122,7 @@ class FakeSession:
         self.engine_fault = engine_fault
         self.volume_fault = volume_fault
         self.measured: list = []
+        self.starts = 0
 
     def context(self) -> Context:
         return Context(date="2020-01-01", cores=2, gl_renderer="none")
@@ -143,6 +144,7 @@ class FakeSession:
         return [self._with_time(item) for item in contestants], pictures
 
     def run_start(self, volume, function, report):
+        self.starts += 1
         found = measure_start(FakeStage, function, self.study, report)
         return [StartRow("shell", volume.dims, "uint16", **values) for values in found]
 

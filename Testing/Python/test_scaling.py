@@ -41,12 +41,14 @@ def row(
     rmse: float = 1e-2,
     size: tuple[int, int] = (40, 30),
     integrator: str | None = "Midpoint",
+    settings: tuple = (),
     **more,
 ) -> Record:
     if technique == "vtk-gpu":
         step = integrator = None
     scene = Scene(f"cube-{edge}", "ramp", size)
-    run = Run("small", scene, technique, integrator, step, "orbit-y", "engine")
+    sampling = (technique, integrator, step)
+    run = Run("small", scene, *sampling, "orbit-y", "engine", settings)
     facts = {"frame_ms": spread([ms]), "error": ImageError(rmse=rmse)} | more
     return record_of(run, (edge, edge, edge), "uint8", **facts)
 
@@ -61,6 +63,7 @@ def rows() -> list[Record]:
             "samples_taken": 100 * edge,
         }
         found.append(row(edge, 3.0 * edge, **facts))
+        found.insert(0, row(edge, 1.0, settings=(("termination_threshold", 0),)))
         found.append(row(edge, 1.0, step=2.0))
         found.append(row(edge, 1.0, integrator="Segment"))
         found.append(row(edge, 5.0 * edge**2, "vtk-gpu"))
@@ -73,7 +76,7 @@ def by_quantity(study, records, technique="single-pass"):
 
 
 def test_exponents_of_one_sampling(scaling):
-    """Compiling does not count as set-up; other steps and integrators are no part of it."""
+    """Compiling does not count as set-up; other steps, integrators and settings are no part of it."""
     found = by_quantity(scaling, rows())
     assert found["frame ms"].points == ((8, 24), (16, 48), (32, 96))
     exponents = {name: item.fit().exponent for name, item in found.items()}

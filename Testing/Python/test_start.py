@@ -1,10 +1,13 @@
 """First pictures and edits: turns, what is timed, faults, the file, and the tables made of it."""
 
+import io
 from dataclasses import replace
 
 import pytest
-from fakes import FakeStage
+from fakes import FakeSession, FakeStage
+from volumebench.progress import Progress
 from volumebench.results import SetUpTimes
+from volumebench.runner import Runner, find_inputs, prepare_folder
 from volumebench.speed_tables import edit_table, first_table, start_remarks
 from volumebench.start import (
     StartRow,
@@ -14,7 +17,7 @@ from volumebench.start import (
     write_start,
 )
 from volumebench.statistics import spread
-from volumebench.study import Dataset, Start
+from volumebench.study import Dataset, Start, Timing
 from volumebench.transfer_functions import TransferFunction
 
 FUNCTION = TransferFunction(
@@ -37,7 +40,8 @@ class Stages:
 @pytest.fixture
 def starting(study):
     techniques = ("single-pass", "multi-pass", "paraview-volume")
-    start = Start((Dataset("shell"),), "ramp", techniques, (40, 30), 0.5, 3, 4)
+    small = Dataset("shell", (4, 4, 4), share=0.5)
+    start = Start((small,), "ramp", techniques, (40, 30), 0.5, 3, 4)
     return replace(study, start=start)
 
 
@@ -69,6 +73,41 @@ def test_a_repeat_draws_first_still_and_edited_pictures(starting):
     assert ours["setup_ms"].upload == 3.0 and ours["bytes_on_device"] == 4096
     assert theirs["setup_ms"].upload is None and theirs["bytes_on_device"] is None
     assert ours["first_ms"].min > ours["show_ms"].min > 0
+
+
+def test_the_first_picture_includes_the_display(starting, monkeypatch):
+    """With a clock that moves by 1 s at each look, every piece of work takes 1000 ms."""
+    ticks = iter(range(10**6))
+    monkeypatch.setattr("volumebench.start.time.perf_counter", lambda: next(ticks))
+    found = measured(starting, Stages())["single-pass"]
+    medians = [found[name].median for name in ("show_ms", "first_ms", "still_ms")]
+    assert medians == [1000, 2000, 1000]
+    assert found["edit_ms"].median == 2000, "giving the function is part of an edit"
+
+
+def run_with_start(study, folder, resume=False):
+    """Measure a study with a start and return its session and its rows in the file."""
+    earlier = prepare_folder(study, folder, resume)
+    inputs = find_inputs(study, None, folder / "volumes")
+    runner = Runner(study, inputs, folder, earlier)
+    session = FakeSession(study)
+    assert runner.is_complete() == resume
+    runner.measure(session, Progress(1, io.StringIO()))
+    return session, read_start(folder)
+
+
+def test_a_start_is_measured_once_and_kept_on_resume(starting, tmp_path):
+    study = replace(starting, timing=Timing(1, 4, 1.0, 60.0), paths=("view",))
+    session, rows = run_with_start(study, tmp_path)
+    assert session.starts == 1 and len(rows) == 3
+    again, kept = run_with_start(study, tmp_path, resume=True)
+    assert again.starts == 0 and kept == rows
+
+
+def test_a_new_run_forgets_the_start_of_an_earlier_one(starting, tmp_path):
+    write_start(tmp_path, starting.start, rows())
+    prepare_folder(replace(starting, start=None), tmp_path, resume=False)
+    assert read_start(tmp_path) == []
 
 
 def test_ours_take_the_step_of_the_start(starting):
