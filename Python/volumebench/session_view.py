@@ -42,6 +42,7 @@ class ViewStage:
         self._producers: dict[str, Any] = {}
         self._displays: dict[str, Any] = {}
         self._shown = ""
+        self._before: dict[str, dict[str, Any]] = {}
         self._folder = tempfile.TemporaryDirectory(prefix="volumebench-")
         self._capture = self._make_capture()
         self._log = ErrorLog().__enter__()
@@ -70,15 +71,25 @@ class ViewStage:
         self._shown = sampling.technique
         if not TECHNIQUES[sampling.technique].peer:
             display = self._displays[sampling.technique]
+            self._set_settings(display, sampling)
             display.Integrator = sampling.integrator
             display.StepVoxels = sampling.step_voxels
             display.TerminationThreshold = sampling.termination_threshold
             display.RaySetUp = self._study.ray_set_up
-            display.Jitter = 0  # another run may have left it on
             if sampling.reference_method is not None:
                 _set(display, "ReferenceMethod", sampling.reference_method)
-            for name, value in sampling.settings:
-                _set(display, TECHNIQUE_SETTINGS[name].property, value)
+
+    def _set_settings(self, display: Any, sampling: Sampling) -> None:
+        """Set what the run names, and what other runs of its technique named as it was before."""
+        before = self._before.setdefault(sampling.technique, {})
+        given = {
+            TECHNIQUE_SETTINGS[name].property: value
+            for name, value in sampling.settings
+        }
+        for name, value in (before | given).items():
+            if name not in before and display.GetProperty(name) is not None:
+                before[name] = display.GetPropertyValue(name)
+            _set(display, name, value)
 
     def set_function(self, function: TransferFunction) -> None:
         """Give what is shown another transfer function."""

@@ -109,7 +109,7 @@ def best_match(rows: list[Record], rmse: float) -> Match | None:
 
 def skips_nothing(row: Record) -> bool:
     """Tell whether empty space is not skipped in a run."""
-    return row.settings.get(SKIPPING) == "Off"
+    return row.settings.get(SKIPPING) is False
 
 
 def ratios(records: list[Record], level: float | None = None) -> list[Ratio]:

@@ -48,6 +48,11 @@ def check_speed() -> None:
         "transfer_functions": ["shell-wall"],
         "techniques": ["single-pass", "paraview-volume"],
         "sweeps": [
+            {
+                "techniques": ["single-pass"],
+                "step_voxels": [0.125],
+                "settings": {"jitter": [1], "termination_threshold": [0.5]},
+            },
             {"techniques": ["single-pass"], "step_voxels": [2, 1, 0.5, 0.25, 0.125]},
             {"techniques": ["paraview-volume"]},
         ],
@@ -71,8 +76,14 @@ def check_speed() -> None:
     assert lead.startswith("At ParaView's own error, VolumeBench draws still"), lead
     assert 'alt="Frame-time ratio against' in report
     assert "Picture after an edit" in report
-    assert [row.status for row in records] == ["ok"] * 6, records
-    expect_rows_of_view([row for row in records if row.technique == "single-pass"])
+    assert [row.status for row in records] == ["ok"] * 7
+    inaccurate, *rows = [row for row in records if row.technique == "single-pass"]
+    expect_rows_of_view(rows)
+    own = min(row.error.rmse for row in rows)
+    print(f"  RMSE {own:.1e}, with settings of its own {inaccurate.error.rmse:.1e}")
+    assert inaccurate.error.rmse > 10 * own, "settings reach their run and no other"
+    assert "jitter" in inaccurate.features
+    assert all("jitter" in row.left_out for row in rows)
     assert ours.technique == "single-pass" and theirs.status == ours.status == "ok"
     assert ours.first_ms.median > ours.still_ms.median > 0, ours
     assert ours.setup_ms.upload > 0 and ours.bytes_on_device >= 4 * 32**3

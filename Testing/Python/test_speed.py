@@ -20,7 +20,7 @@ from volumebench.statistics import Spread
 from volumebench.study import SPEED
 from volumebench.work_precision import points_of
 
-OFF = (("skipping", "Off"),)
+OFF = (("skipping", False),)
 
 
 def midpoint() -> list[Record]:
