@@ -10,7 +10,7 @@
 #ifndef vtkVolumeBenchViewCapture_h
 #define vtkVolumeBenchViewCapture_h
 
-#include "VolumeBenchBenchmarkModule.h" // for the export macro
+#include "VolumeBenchViewCaptureModule.h" // for the export macro
 #include "vtkObject.h"
 #include "vtkWeakPointer.h" // for the view
 
@@ -19,7 +19,7 @@
 class vtkPVRenderView;
 class vtkPVView;
 
-class VOLUMEBENCHBENCHMARK_EXPORT vtkVolumeBenchViewCapture : public vtkObject
+class VOLUMEBENCHVIEWCAPTURE_EXPORT vtkVolumeBenchViewCapture : public vtkObject
 {
 public:
   static vtkVolumeBenchViewCapture* New();
