@@ -5,6 +5,7 @@ import signal
 import sys
 from pathlib import Path
 
+from .calibration import ceiling_table, load_calibration
 from .datasets import fitting_memory, free_memory_gb, with_stand_ins
 from .errors import BenchError
 from .findings import findings_of
@@ -22,7 +23,7 @@ from .stability_study import is_stability_study, load_stability_study
 from .study import SCALING, Study
 from .study_file import find_study, load_study
 from .summary import unfinished
-from .tables import text_tables
+from .tables import as_text, text_tables
 
 
 class _Parser(argparse.ArgumentParser):
@@ -49,6 +50,12 @@ def parse(arguments: list[str] | None) -> argparse.Namespace:
     add("--data", type=Path, metavar="DIR", help="folder with more volumes")
     add("--techniques", metavar="A,B", help="these techniques in place of the study's")
     add("--resume", action="store_true", help="keep the rows of an earlier run")
+    add(
+        "--calibration",
+        type=Path,
+        metavar="FILE",
+        help="ceilings of this machine, from ./run calibrate",
+    )
     add("--plugin", metavar="FILE", help="the plugin, if not the one built here")
     return parser.parse_args(arguments)
 
@@ -79,25 +86,28 @@ def run(options: argparse.Namespace) -> int:
     if is_stability_study(find_study(options.study)):
         return try_stability(options)
     study = study_of(options)
+    calibration = options.calibration and load_calibration(options.calibration)
     folder = folder_of(options, study.name)
     earlier = prepare_folder(study, folder, options.resume)
     inputs = find_inputs(study, options.data, folder / "volumes")
-    runner = Runner(study, inputs, folder, earlier)
+    runner = Runner(study, inputs, folder, earlier, calibration)
     records = runner.records
     if not runner.is_complete():
         from .session import Session, find_plugin
 
         session = Session(study, find_plugin(options.plugin))
         records = runner.measure(session, Progress(len(runner.missing)))
+    else:
+        runner.renew_calibration()
     write_views(study, folder, runner, records)
     return 1 if all(record.status == FAILED for record in records) else 0
 
 
 def try_stability(options: argparse.Namespace) -> int:
     """Try the cases of a stability study and write what they show; return the exit code."""
-    if options.data is not None or options.resume:
+    if options.data is not None or options.resume or options.calibration is not None:
         raise BenchError(
-            "command line: --data and --resume do not apply to a stability study"
+            "command line: --data, --resume and --calibration do not apply to a stability study"
         )
     study = load_stability_study(find_study(options.study))
     if options.techniques is not None:
@@ -133,6 +143,8 @@ def write_views(
     print(text_tables(study, records))
     if findings is not None:
         print(findings.text())
+    if table := ceiling_table(runner.context, records):
+        print(as_text(table))
     count = len(unfinished(records))
     print(
         f"{len(records)} rows, {count} without a measurement; {folder / 'report.html'}"

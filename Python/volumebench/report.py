@@ -5,6 +5,7 @@ from dataclasses import asdict
 from html import escape
 from pathlib import Path
 
+from .calibration import ceiling_table
 from .findings import Findings
 from .gallery import FOLDER as PICTURE_FOLDER
 from .gallery import Gallery, read_galleries
@@ -13,7 +14,7 @@ from .page import head, page
 from .plot import FOLDER as PLOT_FOLDER
 from .plot import error_plot_file, fps_plot_file
 from .plot_style import PATH_TITLES
-from .report_style import HOW_TO_READ
+from .report_style import HOW_CEILINGS_ARE_READ, HOW_TO_READ
 from .results import Context, Record
 from .study import COMPOSITE, Scene, Study
 from .notes import SLOW_FACTOR, all_notes
@@ -73,6 +74,7 @@ def write_report(
             _summary(records),
             f'<section class="read"><h2>How to read this</h2>{HOW_TO_READ}</section>',
             *scenes,
+            _ceilings(context, records),
             _notes(study, records),
             _failures(records, notes),
             _settings(study, context),
@@ -277,6 +279,13 @@ def _card_image(folder: Path, name: str, title: str) -> str:
     return f'<img alt="{escape(title)}" src="{_inlined(path)}">'
 
 
+def _ceilings(context: Context, records: list[Record]) -> str:
+    table = ceiling_table(context, records)
+    if table is None:
+        return ""
+    return f"<section><h2>Ceilings of the machine</h2>{_table(table)}{HOW_CEILINGS_ARE_READ}</section>"
+
+
 def _notes(study: Study, records: list[Record]) -> str:
     found = all_notes(study, records)
     items = "".join(f"<li>{escape(text)}</li>" for text in found)
@@ -307,6 +316,7 @@ def _settings(study: Study, context: Context) -> str:
     entries = {
         _CONTEXT_TITLES[name]: "not used" if value is None else value
         for name, value in asdict(context).items()
+        if name != "calibration"
     }
     entries |= {
         "Paths": "; ".join(PATH_TITLES[path] for path in study.paths),

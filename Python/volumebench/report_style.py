@@ -90,3 +90,10 @@ Series at equal error read each time off the curve of one variant, as the error-
 and leave out volumes in which no two runs bracket that error. Set-up is upload, tables and grid; the
 kernels' compilation does not depend on the data.</small></p>
 """
+
+HOW_CEILINGS_ARE_READ = """
+<p><small>The ceiling is the highest rate of trilinear fetches that volumebench-run --calibrate measured on this
+machine in the same kind of shader and texture format, over volumes of 16 to 256 voxels an edge, along
+an axis and obliquely. Samples a second are those of whole frames: a sample also looks up tables and, with
+lighting, fetches six neighbours, which are not counted.</small></p>
+"""

@@ -38,6 +38,7 @@ class Context:
     build_type: str | None = None
     cuda_device: str | None = None
     opencl_device: str | None = None
+    calibration: dict[str, Any] | None = None
 
 
 @dataclass(frozen=True)

@@ -4,6 +4,7 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any, Protocol
 
+from .calibration import keep_calibration, with_calibration
 from .datasets import VolumeFile, find_volume
 from .errors import BenchError
 from .gallery import forget_galleries, write_gallery
@@ -106,13 +107,19 @@ class Runner:
     """Holds the records of one study while it runs."""
 
     def __init__(
-        self, study: Study, inputs: Inputs, folder: Path, earlier: Earlier
+        self,
+        study: Study,
+        inputs: Inputs,
+        folder: Path,
+        earlier: Earlier,
+        calibration: dict[str, Any] | None = None,
     ) -> None:
         self.study = study
         self.inputs = inputs
         self.folder = folder
         self.records = list(earlier.records)
         self.context = earlier.context
+        self._calibration = calibration
         measured = {record.run().key() for record in earlier.records}
         self.missing = [run for run in study.runs() if run.key() not in measured]
         self.notes: list[str] = []
@@ -124,7 +131,7 @@ class Runner:
 
     def measure(self, session: Session, progress: Progress) -> list[Record]:
         """Measure all missing runs and return all records in study order."""
-        self.context = session.context()
+        self.context = self._calibrated(session.context())
         for dataset in self.study.datasets:
             runs = [run for run in self.missing if run.scene.dataset == dataset.name]
             if runs:
@@ -150,6 +157,17 @@ class Runner:
             except Exception as fault:  # the study has its other results
                 self.notes.append(f"first picture of {file.name}: {fault}")
         write_start(self.folder, start, self.start_rows)
+
+    def renew_calibration(self) -> None:
+        """Put a calibration beside rows that were all measured before."""
+        if self._calibration is not None:
+            self.context = self._calibrated(self.context)
+            self._write()
+
+    def _calibrated(self, context: Context) -> Context:
+        if self._calibration is not None:
+            return with_calibration(context, self._calibration)
+        return keep_calibration(context, self.context)
 
     def _measure_dataset(
         self, session: Session, name: str, runs: list[Run], progress: Progress

@@ -107,7 +107,7 @@ std::vector<std::string> KernelEntries()
   std::vector<std::string> entries;
   for (const std::string& path : EmbeddedKernelPaths())
   {
-    if (path.find('/') == std::string::npos && ExtensionOf(path) != ".h")
+    if (ExtensionOf(path) != ".h")
     {
       entries.push_back(path);
     }

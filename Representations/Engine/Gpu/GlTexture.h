@@ -2,13 +2,15 @@
 #ifndef volumebench_GlTexture_h
 #define volumebench_GlTexture_h
 
+#include "VolumeBenchEngineModule.h"
+
 #include <cstddef>
 
 class vtkOpenGLRenderWindow;
 
 namespace volumebench
 {
-class GlTexture
+class VOLUMEBENCHENGINE_EXPORT GlTexture
 {
 public:
   GlTexture() = default;
@@ -35,7 +37,7 @@ private:
 };
 
 /// Binds textures to texture units that VTK does not use and gives them back at the end.
-class TextureUnits
+class VOLUMEBENCHENGINE_EXPORT TextureUnits
 {
 public:
   explicit TextureUnits(vtkOpenGLRenderWindow* window);

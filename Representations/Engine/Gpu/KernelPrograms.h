@@ -2,6 +2,8 @@
 #ifndef volumebench_KernelPrograms_h
 #define volumebench_KernelPrograms_h
 
+#include "VolumeBenchEngineModule.h"
+
 #include "Gpu/GlProgram.h"
 #include "Scene/Features.h"
 
@@ -12,7 +14,7 @@
 
 namespace volumebench
 {
-class KernelPrograms
+class VOLUMEBENCHENGINE_EXPORT KernelPrograms
 {
 public:
   /// The binding point of every program's scene block.

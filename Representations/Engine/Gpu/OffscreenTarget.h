@@ -2,6 +2,8 @@
 #ifndef volumebench_OffscreenTarget_h
 #define volumebench_OffscreenTarget_h
 
+#include "VolumeBenchEngineModule.h"
+
 #include "Gpu/GlTexture.h"
 
 #include <glm/vec2.hpp>
@@ -13,7 +15,7 @@ class vtkOpenGLRenderWindow;
 
 namespace volumebench
 {
-class OffscreenTarget
+class VOLUMEBENCHENGINE_EXPORT OffscreenTarget
 {
 public:
   /// Allocates the texture unless it has this size and sized internal format. Throws SceneError
@@ -43,7 +45,7 @@ private:
 };
 
 /// Remembers the framebuffers and the viewport in force and brings them back.
-class OffscreenScope
+class VOLUMEBENCHENGINE_EXPORT OffscreenScope
 {
 public:
   explicit OffscreenScope(vtkOpenGLRenderWindow* window);

@@ -1,0 +1,15 @@
+// The machine and the programs that figures belong to: the "context" of results.json.
+#ifndef volumebench_MachineContext_h
+#define volumebench_MachineContext_h
+
+#include "OpenGlWindow.h"
+
+#include <nlohmann/json.hpp>
+
+namespace volumebench
+{
+/// The keys of the context in their order; null is what this program has none of.
+nlohmann::ordered_json MachineContext(const OpenGlNames& names);
+}
+
+#endif
