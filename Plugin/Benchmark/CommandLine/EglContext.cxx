@@ -78,8 +78,9 @@ std::vector<Platform> Platforms()
 
 bool ConfigOf(EGLDisplay display, EGLConfig& config)
 {
+  // With a depth buffer, since VTK asks the default framebuffer how deep its is.
   const EGLint wanted[] = { EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT,
-    EGL_RED_SIZE, 8, EGL_GREEN_SIZE, 8, EGL_BLUE_SIZE, 8, EGL_NONE };
+    EGL_RED_SIZE, 8, EGL_GREEN_SIZE, 8, EGL_BLUE_SIZE, 8, EGL_DEPTH_SIZE, 24, EGL_NONE };
   EGLint count = 0;
   return Egl().BindApi(EGL_OPENGL_API) && Egl().ChooseConfig(display, wanted, &config, 1, &count) &&
     count > 0;

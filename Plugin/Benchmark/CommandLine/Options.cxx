@@ -53,7 +53,11 @@ void Check(const Options& options)
   {
     Fail("--data and --techniques do not apply to --calibrate");
   }
-  if (!options.Calibrate && options.Out.empty())
+  if (options.Calibrate && options.List)
+  {
+    Fail("--list does not apply to --calibrate");
+  }
+  if (!options.Calibrate && !options.List && options.Out.empty())
   {
     Fail("--out DIR is needed");
   }
@@ -65,7 +69,7 @@ Options ParseOptions(const std::vector<std::string>& arguments)
   Options options;
   const std::map<std::string, bool*> switches = { { "--help", &options.Help },
     { "--version", &options.Version }, { "--calibrate", &options.Calibrate },
-    { "--quick", &options.Quick } };
+    { "--quick", &options.Quick }, { "--list", &options.List } };
   const std::map<std::string, std::function<void(const std::string&)>> values = {
     { "--out", [&](const std::string& text) { options.Out = text; } },
     { "--data", [&](const std::string& text) { options.Data = text; } },
@@ -108,6 +112,8 @@ const char* Usage()
 
   volumebench-run STUDY.json --out DIR [--data DIR] [--techniques A,B] [--quick]
       measures path "engine" of a study; results.json and settings.json in DIR
+  volumebench-run STUDY.json --list [...]
+      prints the runs, one a line as JSON, without measuring
   volumebench-run --calibrate [--out FILE] [--quick]
       measures what this machine can fetch and copy a second (FILE: calibration.json)
 

@@ -14,6 +14,7 @@ struct Options
   bool Version = false;
   bool Calibrate = false;
   bool Quick = false;
+  bool List = false; // the runs of the study, without measuring
   std::string Study;
   std::string Out;
   std::string Data;

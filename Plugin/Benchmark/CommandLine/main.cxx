@@ -5,11 +5,14 @@
 #include "MachineContext.h"
 #include "OpenGlWindow.h"
 #include "Options.h"
+#include "Study/StudyFile.h"
+#include "Study/StudyRunner.h"
 #include "TextFile.h"
 #include "vtkVolumeBenchEglWindow.h"
 
 #include <exception>
 #include <iostream>
+#include <map>
 
 namespace
 {
@@ -35,6 +38,81 @@ int RunCalibration(const Options& options)
   return 0;
 }
 
+void PrintRun(const StudyRun& run)
+{
+  const StudyScene& scene = run.Scene;
+  std::cout << Json{
+    { "dataset", scene.Dataset }, { "transfer_function", scene.TransferFunction },
+    { "image_size", { scene.Width, scene.Height } }, { "blend_mode", scene.BlendMode },
+    { "path", run.Path }, { "technique", run.Technique }, { "integrator", run.Integrator },
+    { "step_voxels", run.StepVoxels }, { "settings", run.SettingsObject() }
+  }.dump() << "\n";
+}
+
+void PrintRow(const Json& row)
+{
+  const auto text = [&](const char* key)
+  { return row[key].is_string() ? row[key].get<std::string>() : row[key].dump(); };
+  std::cout << "  " << text("dataset") << ", " << text("transfer_function") << ", "
+            << text("technique") << ", " << text("integrator") << ", step " << text("step_voxels")
+            << (row["settings"].empty() ? "" : ", " + row["settings"].dump()) << ": ";
+  if (row["status"] == "ok")
+  {
+    std::cout << row["frame_ms"]["median"] << " ms, RMSE " << row["error"]["rmse"] << "\n";
+  }
+  else
+  {
+    std::cout << text("status") << ": " << text("reason") << "\n";
+  }
+}
+
+// What was measured or failed, a line each, and why the rest was not tried.
+bool PrintRows(const std::vector<Json>& rows)
+{
+  bool allFailed = true;
+  std::map<std::string, int> unsupported;
+  for (const Json& row : rows)
+  {
+    allFailed = allFailed && row["status"] == "failed";
+    if (row["status"] == "unsupported")
+    {
+      ++unsupported[row["reason"].get<std::string>()];
+    }
+    else
+    {
+      PrintRow(row);
+    }
+  }
+  for (const auto& [reason, count] : unsupported)
+  {
+    std::cout << "  " << count << " rows unsupported: " << reason << "\n";
+  }
+  return !allFailed;
+}
+
+int MeasureStudy(const Options& options)
+{
+  const Study study = LoadStudy(options.Study, options.Quick, options.Techniques, options.Data);
+  if (options.List)
+  {
+    for (const StudyRun& run : study.Runs())
+    {
+      PrintRun(run);
+    }
+    return 0;
+  }
+  const OpenGlNames names = NamesOfDevice();
+  std::cout << names.Renderer << ", OpenGL " << names.Version << std::endl;
+  const std::size_t count = study.Runs().size();
+  const std::vector<Json> rows =
+    RunStudy(study, { options.Out, options.Data }, MachineContext(names),
+      [&](const std::string& what, std::size_t done)
+      { std::cerr << "[" << done << " of " << count << " rows] " << what << std::endl; });
+  const bool anyMeasured = PrintRows(rows);
+  std::cout << rows.size() << " rows in " << options.Out << "/results.json\n";
+  return anyMeasured ? 0 : 1;
+}
+
 int Main(const std::vector<std::string>& arguments)
 {
   const Options options = ParseOptions(arguments);
@@ -50,7 +128,7 @@ int Main(const std::vector<std::string>& arguments)
   }
   ChooseEglDevice(options.Device);
   vtkVolumeBenchEglWindow::UseForAllWindows();
-  return RunCalibration(options);
+  return options.Calibrate ? RunCalibration(options) : MeasureStudy(options);
 }
 }
 

@@ -44,6 +44,7 @@ vtkVolumeBenchEglWindow::vtkVolumeBenchEglWindow()
 {
   this->UseOffScreenBuffers = true;
   this->ShowWindow = false;
+  this->DoubleBuffer = false; // a surface off screen has no back buffer
   this->SetFrameBlitModeToNoBlit();
 }
 

@@ -1,0 +1,174 @@
+#include "Generators.h"
+
+#include "AllCores.h"
+
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkPointData.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+
+namespace volumebench
+{
+namespace
+{
+constexpr double Pi = 3.14159265358979323846;
+
+using Dims = std::array<int, 3>;
+/// Value in [0, 1] at grid point (i, j, k).
+using Field = std::function<double(int, int, int)>;
+
+double Centred(int i, int count)
+{
+  return i - (count - 1) / 2.0;
+}
+
+// Nested Cassini ovals of revolution about z, 0 at the corners and 1 at the foci.
+Field Lemniscate(const Dims& dims, double extent)
+{
+  const double spacing = 2.0 * extent / (dims[2] - 1);
+  const auto oval = [](double radiusSquared, double z)
+  {
+    const double product =
+      std::sqrt((radiusSquared + (z - 1.0) * (z - 1.0)) * (radiusSquared + (z + 1.0) * (z + 1.0)));
+    return 1.0 / (1.0 + product);
+  };
+  const auto at = [=](int i, int j, int k)
+  {
+    const double x = Centred(i, dims[0]) * spacing;
+    const double y = Centred(j, dims[1]) * spacing;
+    return oval(x * x + y * y, Centred(k, dims[2]) * spacing);
+  };
+  const double corner = at(0, 0, 0);
+  return [=](int i, int j, int k) { return (at(i, j, k) - corner) / (1.0 - corner); };
+}
+
+// A hollow ball with a smooth wall.
+Field Ball(const Dims& dims)
+{
+  constexpr double radius = 0.62;
+  constexpr double wall = 0.16;
+  const auto shell = [](double r) { return std::exp(-std::pow((r - radius) / wall, 2)); };
+  const double half = (*std::min_element(dims.begin(), dims.end()) - 1) / 2.0;
+  const double edge = shell(1.0);
+  return [=](int i, int j, int k)
+  {
+    const double x = Centred(i, dims[0]) / half;
+    const double y = Centred(j, dims[1]) / half;
+    const double z = Centred(k, dims[2]) / half;
+    return (shell(std::sqrt(x * x + y * y + z * z)) - edge) / (1.0 - edge);
+  };
+}
+
+// The sum of one sine along each axis.
+Field Waves(const Dims& dims)
+{
+  const auto wave = [](int i, int count, double halfWaves, double phase)
+  { return std::sin(halfWaves * Pi * i / (count - 1) + phase); };
+  return [=](int i, int j, int k)
+  {
+    return (3.0 + wave(i, dims[0], 4.0, 0.5) + wave(j, dims[1], 3.0, 1.7) +
+             wave(k, dims[2], 5.0, 2.9)) /
+      6.0;
+  };
+}
+
+template <typename Scalar>
+void Fill(vtkImageData* image, const Dims& dims, const Field& field)
+{
+  auto* scalars = static_cast<Scalar*>(image->GetScalarPointer());
+  const vtkIdType slice = static_cast<vtkIdType>(dims[0]) * dims[1];
+  const auto fillSlices = [&](vtkIdType begin, vtkIdType end)
+  {
+    Scalar* next = scalars + begin * slice;
+    for (int k = static_cast<int>(begin); k < end; ++k)
+    {
+      for (int j = 0; j < dims[1]; ++j)
+      {
+        for (int i = 0; i < dims[0]; ++i)
+        {
+          const double value = std::clamp(field(i, j, k), 0.0, 1.0);
+          // nearbyint rounds halves to even, as numpy does.
+          *next++ = std::is_integral_v<Scalar>
+            ? static_cast<Scalar>(
+                std::nearbyint(value * static_cast<double>(std::numeric_limits<Scalar>::max())))
+            : static_cast<Scalar>(value);
+        }
+      }
+    }
+  };
+  ForOnAllCores(0, dims[2], 1, fillSlices);
+}
+
+struct GeneratorRow
+{
+  const char* Name;
+  Dims Size;
+  const char* ScalarType;
+  bool HasExtent;
+};
+
+const GeneratorRow Rows[] = {
+  { "lemniscate", { 96, 96, 200 }, "uint16", true },
+  { "ball", { 32, 32, 32 }, "uint8", false },
+  { "waves", { 128, 128, 128 }, "uint16", false },
+};
+constexpr double DefaultExtent = 1.7;
+
+const GeneratorRow& RowOf(const std::string& name)
+{
+  return *std::find_if(
+    std::begin(Rows), std::end(Rows), [&](const GeneratorRow& row) { return name == row.Name; });
+}
+}
+
+const std::vector<std::string>& GeneratorNames()
+{
+  static const std::vector<std::string> names = { "lemniscate", "ball", "waves" };
+  return names;
+}
+
+std::vector<std::string> GeneratorKeys(const std::string& generator)
+{
+  std::vector<std::string> keys = { "dims", "scalar_type" };
+  if (RowOf(generator).HasExtent)
+  {
+    keys.emplace_back("extent");
+  }
+  return keys;
+}
+
+vtkSmartPointer<vtkImageData> Generate(const Json& dataset)
+{
+  const std::string name = dataset["name"];
+  const GeneratorRow& row = RowOf(name);
+  const Dims dims = dataset.value("dims", row.Size);
+  const std::string type = dataset.value("scalar_type", std::string(row.ScalarType));
+  const Field field = name == "lemniscate"
+    ? Lemniscate(dims, dataset.value("extent", DefaultExtent))
+    : name == "ball" ? Ball(dims)
+                     : Waves(dims);
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(dims.data());
+  if (type == "uint8")
+  {
+    image->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
+    Fill<unsigned char>(image, dims, field);
+  }
+  else if (type == "uint16")
+  {
+    image->AllocateScalars(VTK_UNSIGNED_SHORT, 1);
+    Fill<unsigned short>(image, dims, field);
+  }
+  else
+  {
+    image->AllocateScalars(VTK_FLOAT, 1);
+    Fill<float>(image, dims, field);
+  }
+  image->GetPointData()->GetScalars()->SetName(name.c_str());
+  return image;
+}
+}

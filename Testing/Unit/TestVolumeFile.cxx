@@ -1,0 +1,150 @@
+// Volumes of studies: generated values in closed form, files of each kind, and faults by name.
+#include "Study/Generators.h"
+#include "Study/VolumeFile.h"
+
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkPointData.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+
+using namespace volumebench;
+
+namespace
+{
+namespace fs = std::filesystem;
+
+class VolumeFile : public testing::Test
+{
+protected:
+  void SetUp() override
+  {
+    this->Folder = fs::temp_directory_path() /
+      ("volumebench-volume-" + std::to_string(testing::UnitTest::GetInstance()->random_seed()) +
+        "-" + testing::UnitTest::GetInstance()->current_test_info()->name());
+    fs::create_directories(this->Folder);
+  }
+
+  void TearDown() override { fs::remove_all(this->Folder); }
+
+  void Write(const char* name, const std::string& content)
+  {
+    std::ofstream(this->Folder / name, std::ios::binary) << content;
+  }
+
+  std::string FaultOf(const char* name)
+  {
+    try
+    {
+      const Json dataset = { { "name", name } };
+      CheckVolume(dataset, this->Folder);
+      ReadVolume(dataset, this->Folder);
+    }
+    catch (const std::runtime_error& error)
+    {
+      return error.what();
+    }
+    return "";
+  }
+
+  void ExpectFault(const char* name, const std::string& cause)
+  {
+    const std::string fault = this->FaultOf(name);
+    EXPECT_NE(fault.find(cause), std::string::npos) << "'" << fault << "' lacks '" << cause << "'";
+  }
+
+  fs::path Folder;
+};
+
+double ValueAt(const Json& dataset, int i, int j, int k)
+{
+  return Generate(dataset)->GetScalarComponentAsDouble(i, j, k, 0);
+}
+}
+
+TEST_F(VolumeFile, GeneratedValuesAreThoseOfTheirEquations)
+{
+  const Json wave = { { "name", "waves" }, { "dims", { 5, 9, 17 } }, { "scalar_type", "float32" } };
+  const double pi = std::acos(-1.0);
+  const double x = std::sin(4.0 * pi * 0.25 + 0.5);
+  const double y = std::sin(3.0 * pi * 0.375 + 1.7);
+  const double z = std::sin(5.0 * pi * 0.75 + 2.9);
+  EXPECT_NEAR(ValueAt(wave, 1, 3, 12), (3.0 + x + y + z) / 6.0, 1e-6);
+
+  // The foci are at z = 1 and -1 of an axis from -2 to 2; the corners are nought.
+  const Json oval = { { "name", "lemniscate" }, { "dims", { 5, 5, 9 } }, { "extent", 2.0 } };
+  EXPECT_EQ(ValueAt(oval, 2, 2, 6), 65535.0);
+  EXPECT_EQ(ValueAt(oval, 2, 2, 2), 65535.0);
+  EXPECT_EQ(ValueAt(oval, 4, 0, 8), 0.0);
+  // The middle lies on the lemniscate, where the field is 1/2.
+  const double corner = 1.0 / (1.0 + std::sqrt((2.0 + 1.0) * (2.0 + 9.0)));
+  EXPECT_NEAR(ValueAt(oval, 2, 2, 4), 65535.0 * (0.5 - corner) / (1.0 - corner), 0.51);
+
+  const Json ball = { { "name", "ball" }, { "dims", { 201, 201, 201 } } };
+  EXPECT_EQ(ValueAt(ball, 162, 100, 100), 255.0); // radius 0.62
+  EXPECT_EQ(ValueAt(ball, 200, 100, 100), 0.0);
+}
+
+TEST_F(VolumeFile, RawFilesAreReadAsTheirSidecarSays)
+{
+  std::string bytes;
+  for (char i = 0; i < 12; ++i)
+  {
+    bytes += { '\0', i }; // big-endian
+  }
+  this->Write("head.raw", bytes);
+  this->Write("head.json",
+    R"({"dims": [2, 3, 2], "scalar_type": "uint16", "spacing": [1, 1, 4], "byte_order": "big"})");
+  const OpenVolume volume = ReadVolume({ { "name", "head" } }, this->Folder);
+  EXPECT_EQ(volume.ScalarType, "uint16");
+  EXPECT_EQ(volume.Dims, (std::array<int, 3>{ 2, 3, 2 }));
+  EXPECT_EQ(volume.MeanSpacing, 2.0);
+  EXPECT_EQ(volume.Range[1], 11.0);
+  EXPECT_EQ(volume.Image->GetScalarComponentAsDouble(1, 2, 1, 0), 11.0);
+  EXPECT_EQ(volume.Image->GetScalarComponentAsDouble(0, 1, 0, 0), 2.0);
+}
+
+TEST_F(VolumeFile, HeadersAreRead)
+{
+  this->Write("cube.mhd",
+    "ObjectType = Image\nNDims = 3\nBinaryData = True\nDimSize = 2 2 2\n"
+    "ElementType = MET_UCHAR\nElementDataFile = cube.bin\n");
+  this->Write("cube.bin", "abcdefgh");
+  EXPECT_EQ(ReadVolume({ { "name", "cube" } }, this->Folder).Range[0], 'a');
+  // VTK takes a first axis of less than ten for components.
+  this->Write("slab.nrrd",
+    "NRRD0004\ntype: int8\ndimension: 3\nsizes: 16 4 4\nencoding: raw\n\n" +
+      std::string(255, '\x07') + "\xff");
+  const OpenVolume slab = ReadVolume({ { "name", "slab" } }, this->Folder);
+  EXPECT_EQ(slab.ScalarType, "int8");
+  EXPECT_EQ(slab.Range[0], -1.0);
+  this->Write("grid.vti", R"(<VTKFile type="ImageData" version="0.1" byte_order="LittleEndian">
+    <ImageData WholeExtent="0 1 0 1 0 1" Origin="0 0 0" Spacing="1 1 1"><Piece Extent="0 1 0 1 0 1">
+    <PointData Scalars="s"><DataArray type="Float32" Name="s" format="ascii">0 1 2 3 4 5 6 7.5
+    </DataArray></PointData></Piece></ImageData></VTKFile>)");
+  EXPECT_EQ(ReadVolume({ { "name", "grid" } }, this->Folder).Range[1], 7.5);
+}
+
+TEST_F(VolumeFile, FaultsNameTheFile)
+{
+  this->ExpectFault("nowhere", "dataset \"nowhere\": no file");
+  this->Write("short.raw", "12345");
+  this->ExpectFault("short", "short.json is missing");
+  this->Write("short.json", R"({"dims": [2, 2, 2], "scalar_type": "uint8"})");
+  this->ExpectFault(
+    "short", "has 5 bytes, but short.json says 2 x 2 x 2 of uint8, that is 8 bytes");
+  this->Write("short.json", R"({"dims": [2, 2], "scalar_type": "uint8"})");
+  this->ExpectFault("short", "short.json: \"dims\"");
+  this->Write("broken.mhd", "not a header");
+  this->ExpectFault("broken", "broken.mhd: cannot be read as .mhd");
+  this->Write("broken2.vti", "<VTKFile type=\"ImageData\"");
+  this->ExpectFault("broken2", "broken2.vti: cannot be read as .vti");
+  this->Write("broken3.nii", "nothing");
+  this->ExpectFault("broken3", "broken3.nii: cannot be read as .nii");
+  this->Write("flat.raw", "1234");
+  this->Write("flat.json", R"({"dims": [2, 2, 1], "scalar_type": "uint8"})");
+  this->ExpectFault("flat", "flat.raw: is 2 x 2 x 1 voxels");
+}
