@@ -2,10 +2,9 @@
 // That the runs are those of Python is the business of Testing/EndToEnd.
 #include "Study/StudyFile.h"
 #include "Study/TransferFunctionFile.h"
+#include "TemporaryFolder.h"
 
 #include <gtest/gtest.h>
-
-#include <fstream>
 
 using namespace volumebench;
 
@@ -18,10 +17,6 @@ class StudyFile : public testing::Test
 protected:
   void SetUp() override
   {
-    this->Folder = fs::temp_directory_path() /
-      ("volumebench-study-" + std::to_string(testing::UnitTest::GetInstance()->random_seed()) +
-        "-" + testing::UnitTest::GetInstance()->current_test_info()->name());
-    fs::create_directories(this->Folder);
     this->Document = Json::parse(R"({"schema": 1, "name": "small",
       "datasets": [{"name": "ball"}, {"name": "waves", "dims": [8, 8, 8]}],
       "transfer_functions": ["waves-fog", "waves-thin", "waves-stiff"],
@@ -29,12 +24,9 @@ protected:
       "step_voxels": [2, 1, 0.5], "paths": ["engine"]})");
   }
 
-  void TearDown() override { fs::remove_all(this->Folder); }
-
   Study Load(bool quick = false, const std::vector<std::string>& techniques = {})
   {
-    const fs::path path = this->Folder / "study.json";
-    std::ofstream(path) << this->Document.dump();
+    const fs::path path = this->Folder.Write("study.json", this->Document.dump());
     return LoadStudy(path, quick, techniques, {});
   }
 
@@ -53,7 +45,7 @@ protected:
     }
   }
 
-  fs::path Folder;
+  TemporaryFolder Folder;
   Json Document;
 };
 }
@@ -159,17 +151,18 @@ TEST_F(StudyFile, FaultsAreNamed)
 
 TEST_F(StudyFile, FunctionsAreFoundAndChecked)
 {
-  const auto write = [&](const char* text) { std::ofstream(this->Folder / "own.json") << text; };
+  const auto write = [&](const char* text) { this->Folder.Write("own.json", text); };
+  const fs::path folder = this->Folder.GetPath();
   write(R"({"schema": 1, "name": "own", "domain": "normalized", "opacity": [[0, 0], [1, 0.5]],
     "color": [[0, 1, 0, 0], [1, 0, 1, 0]], "unit_distance_voxels": 2})");
-  const FunctionFile function = ReadFunction("own", { {}, this->Folder });
+  const FunctionFile function = ReadFunction("own", { {}, folder });
   const double range[2] = { 10.0, 30.0 };
   EXPECT_EQ(function.ValueAt(0.25, range), 15.0);
   EXPECT_EQ(function.Opacity[1][1], 0.5);
   EXPECT_EQ(function.UnitDistanceVoxels, 2.0);
   write(R"({"schema": 1, "name": "own", "domain": "value", "opacity": [[0, 0], [0, 0.5]],
     "color": [[0, 1, 0, 0], [1, 0, 1, 0]], "unit_distance_voxels": 2})");
-  EXPECT_THROW(ReadFunction("own", { this->Folder }), std::runtime_error);
-  EXPECT_THROW(ReadFunction("nowhere", { this->Folder }), std::runtime_error);
+  EXPECT_THROW(ReadFunction("own", { folder }), std::runtime_error);
+  EXPECT_THROW(ReadFunction("nowhere", { folder }), std::runtime_error);
   EXPECT_NO_THROW(ReadFunction("waves-fog", {})); // carried by the program
 }

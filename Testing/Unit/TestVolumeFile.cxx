@@ -1,6 +1,7 @@
 // Volumes of studies: generated values in closed form, files of each kind, and faults by name.
 #include "Study/Generators.h"
 #include "Study/VolumeFile.h"
+#include "TemporaryFolder.h"
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
@@ -9,39 +10,21 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fstream>
 
 using namespace volumebench;
 
 namespace
 {
-namespace fs = std::filesystem;
-
 class VolumeFile : public testing::Test
 {
 protected:
-  void SetUp() override
-  {
-    this->Folder = fs::temp_directory_path() /
-      ("volumebench-volume-" + std::to_string(testing::UnitTest::GetInstance()->random_seed()) +
-        "-" + testing::UnitTest::GetInstance()->current_test_info()->name());
-    fs::create_directories(this->Folder);
-  }
-
-  void TearDown() override { fs::remove_all(this->Folder); }
-
-  void Write(const char* name, const std::string& content)
-  {
-    std::ofstream(this->Folder / name, std::ios::binary) << content;
-  }
-
   std::string FaultOf(const char* name)
   {
     try
     {
       const Json dataset = { { "name", name } };
-      CheckVolume(dataset, this->Folder);
-      ReadVolume(dataset, this->Folder);
+      CheckVolume(dataset, this->Folder.GetPath());
+      ReadVolume(dataset, this->Folder.GetPath());
     }
     catch (const std::runtime_error& error)
     {
@@ -56,7 +39,7 @@ protected:
     EXPECT_NE(fault.find(cause), std::string::npos) << "'" << fault << "' lacks '" << cause << "'";
   }
 
-  fs::path Folder;
+  TemporaryFolder Folder;
 };
 
 double ValueAt(const Json& dataset, int i, int j, int k)
@@ -95,10 +78,10 @@ TEST_F(VolumeFile, RawFilesAreReadAsTheirSidecarSays)
   {
     bytes += { '\0', i }; // big-endian
   }
-  this->Write("head.raw", bytes);
-  this->Write("head.json",
+  this->Folder.Write("head.raw", bytes);
+  this->Folder.Write("head.json",
     R"({"dims": [2, 3, 2], "scalar_type": "uint16", "spacing": [1, 1, 4], "byte_order": "big"})");
-  const OpenVolume volume = ReadVolume({ { "name", "head" } }, this->Folder);
+  const OpenVolume volume = ReadVolume({ { "name", "head" } }, this->Folder.GetPath());
   EXPECT_EQ(volume.ScalarType, "uint16");
   EXPECT_EQ(volume.Dims, (std::array<int, 3>{ 2, 3, 2 }));
   EXPECT_EQ(volume.MeanSpacing, 2.0);
@@ -109,42 +92,43 @@ TEST_F(VolumeFile, RawFilesAreReadAsTheirSidecarSays)
 
 TEST_F(VolumeFile, HeadersAreRead)
 {
-  this->Write("cube.mhd",
+  this->Folder.Write("cube.mhd",
     "ObjectType = Image\nNDims = 3\nBinaryData = True\nDimSize = 2 2 2\n"
     "ElementType = MET_UCHAR\nElementDataFile = cube.bin\n");
-  this->Write("cube.bin", "abcdefgh");
-  EXPECT_EQ(ReadVolume({ { "name", "cube" } }, this->Folder).Range[0], 'a');
+  this->Folder.Write("cube.bin", "abcdefgh");
+  EXPECT_EQ(ReadVolume({ { "name", "cube" } }, this->Folder.GetPath()).Range[0], 'a');
   // VTK takes a first axis of less than ten for components.
-  this->Write("slab.nrrd",
+  this->Folder.Write("slab.nrrd",
     "NRRD0004\ntype: int8\ndimension: 3\nsizes: 16 4 4\nencoding: raw\n\n" +
       std::string(255, '\x07') + "\xff");
-  const OpenVolume slab = ReadVolume({ { "name", "slab" } }, this->Folder);
+  const OpenVolume slab = ReadVolume({ { "name", "slab" } }, this->Folder.GetPath());
   EXPECT_EQ(slab.ScalarType, "int8");
   EXPECT_EQ(slab.Range[0], -1.0);
-  this->Write("grid.vti", R"(<VTKFile type="ImageData" version="0.1" byte_order="LittleEndian">
+  this->Folder.Write(
+    "grid.vti", R"(<VTKFile type="ImageData" version="0.1" byte_order="LittleEndian">
     <ImageData WholeExtent="0 1 0 1 0 1" Origin="0 0 0" Spacing="1 1 1"><Piece Extent="0 1 0 1 0 1">
     <PointData Scalars="s"><DataArray type="Float32" Name="s" format="ascii">0 1 2 3 4 5 6 7.5
     </DataArray></PointData></Piece></ImageData></VTKFile>)");
-  EXPECT_EQ(ReadVolume({ { "name", "grid" } }, this->Folder).Range[1], 7.5);
+  EXPECT_EQ(ReadVolume({ { "name", "grid" } }, this->Folder.GetPath()).Range[1], 7.5);
 }
 
 TEST_F(VolumeFile, FaultsNameTheFile)
 {
   this->ExpectFault("nowhere", "dataset \"nowhere\": no file");
-  this->Write("short.raw", "12345");
+  this->Folder.Write("short.raw", "12345");
   this->ExpectFault("short", "short.json is missing");
-  this->Write("short.json", R"({"dims": [2, 2, 2], "scalar_type": "uint8"})");
+  this->Folder.Write("short.json", R"({"dims": [2, 2, 2], "scalar_type": "uint8"})");
   this->ExpectFault(
     "short", "has 5 bytes, but short.json says 2 x 2 x 2 of uint8, that is 8 bytes");
-  this->Write("short.json", R"({"dims": [2, 2], "scalar_type": "uint8"})");
+  this->Folder.Write("short.json", R"({"dims": [2, 2], "scalar_type": "uint8"})");
   this->ExpectFault("short", "short.json: \"dims\"");
-  this->Write("broken.mhd", "not a header");
+  this->Folder.Write("broken.mhd", "not a header");
   this->ExpectFault("broken", "broken.mhd: cannot be read as .mhd");
-  this->Write("broken2.vti", "<VTKFile type=\"ImageData\"");
+  this->Folder.Write("broken2.vti", "<VTKFile type=\"ImageData\"");
   this->ExpectFault("broken2", "broken2.vti: cannot be read as .vti");
-  this->Write("broken3.nii", "nothing");
+  this->Folder.Write("broken3.nii", "nothing");
   this->ExpectFault("broken3", "broken3.nii: cannot be read as .nii");
-  this->Write("flat.raw", "1234");
-  this->Write("flat.json", R"({"dims": [2, 2, 1], "scalar_type": "uint8"})");
+  this->Folder.Write("flat.raw", "1234");
+  this->Folder.Write("flat.json", R"({"dims": [2, 2, 1], "scalar_type": "uint8"})");
   this->ExpectFault("flat", "flat.raw: is 2 x 2 x 1 voxels");
 }

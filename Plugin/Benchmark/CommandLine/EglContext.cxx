@@ -103,9 +103,13 @@ EGLDisplay OpenDisplay()
       Egl().Terminate(display);
     }
   }
+  if (platforms.empty())
+  {
+    throw EglError("no EGL display: the EGL of this machine knows no device and no surfaceless "
+                   "platform (is the driver's EGL installed?)");
+  }
   throw EglError("no EGL display with OpenGL: none of the " + std::to_string(platforms.size()) +
-    " devices and platforms of this machine can be opened (is the driver's EGL installed, and may "
-    "this user open the device?)");
+    " devices and platforms of this machine can be opened (may this user open the device?)");
 }
 
 EGLContext MakeContext(EGLDisplay display, EGLConfig config)
