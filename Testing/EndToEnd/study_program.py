@@ -14,11 +14,16 @@ from volumebench.datasets import with_stand_ins  # noqa: E402
 from volumebench.results import read_results  # noqa: E402
 from volumebench.stability_study import is_stability_study  # noqa: E402
 from volumebench.study_file import STUDY_FOLDER, load_study  # noqa: E402
+from volumebench.technique_settings import (  # noqa: E402
+    TECHNIQUE_SETTINGS,
+    settings_of_technique,
+)
 
 PROGRAM = os.environ["VOLUMEBENCH_RUN"]
 PVPYTHON = os.environ["VOLUMEBENCH_PVPYTHON"]
 MOST_DIFFERENCE = 1e-6  # of errors, between the two programs
 
+# Nothing is left at its default, so that the errors tell if the program heeds it.
 STUDY = {
     "schema": 1,
     "name": "small",
@@ -38,15 +43,24 @@ STUDY = {
     "step_voxels": [1, 0.5],
     "image_sizes": [[48, 40]],
     "paths": ["engine", "view"],
-    "camera": {"frames": 8},
+    "camera": {"frames": 8, "elevation_degrees": 35, "zoom": 1.3},
     "timing": {
         "warm_up_frames": 1,
         "minimum_frames": 2,
         "relative_noise": 1,
         "time_limit_s": 0.2,
     },
-    "error": {"views": 2},
+    "error": {
+        "views": 2,
+        "image_size": [40, 30],
+        "reference": "Fine Steps",
+        "reference_step_voxels": 0.0625,
+    },
+    "blend_modes": ["Composite", "Maximum"],
+    "termination_threshold": 0.2,
+    "ray_set_up": "Rasterised",
     "lighting": True,
+    "lighting_damping": 0.02,
 }
 RAMP = {
     "schema": 1,
@@ -110,7 +124,7 @@ def check_same_rows(folder: Path, study: Path) -> None:
     compared = [
         compare(*pair) for pair in zip(rows, expected) if pair[0].path == "engine"
     ]
-    assert sum(compared) == 3 * (2 + 2 + 1) + 2, compared
+    assert sum(compared) == 2 * (3 * (2 + 2 + 1) + 2), compared
     views = {row.status for row in rows if row.path == "view"}
     assert views == {"unsupported"}, views
     check_report(study, ours, inputs)
@@ -164,6 +178,25 @@ def check_shipped_studies() -> None:
     assert count > 100, count
 
 
+def check_settings(folder: Path) -> None:
+    """Check that each technique has the settings that Python gives it, and no others."""
+    values = {"work_group_shape": "16x8", "sample_distance_voxels": 0.25}
+    for name, setting in TECHNIQUE_SETTINGS.items():
+        values.setdefault(name, setting.values[-1] if setting.values else 0)
+        assert setting.accepts(values[name]), name
+    path = folder / "settings.json"
+    plain = {key: STUDY[key] for key in STUDY if not key.startswith("technique_")}
+    for technique in ("single-pass", "compute", "slices", "slices-threaded", "vtk-gpu"):
+        known = settings_of_technique(technique)
+        assert known, technique
+        for name, value in values.items():
+            given = {"technique_settings": {technique: {name: [value]}}}
+            path.write_text(json.dumps(plain | given | {"techniques": [technique]}))
+            done = program(path, "--list", "--data", folder / "data")
+            accepted = done.returncode == 0
+            assert accepted == (name in known), (technique, name, done.stderr)
+
+
 def as_row(run) -> dict:
     scene = run.scene
     return {
@@ -215,6 +248,7 @@ def main() -> None:
         folder = Path(name)
         study = write_inputs(folder)
         check_shipped_studies()
+        check_settings(folder)
         check_faults(folder, study)
         check_same_rows(folder, study)
     print("study_program: passed")

@@ -30,7 +30,8 @@ public:
   Json Whole(const std::string& column) const
   {
     const Json value = this->Number(column);
-    return value.is_null() ? value : Json(std::llround(value.get<double>()));
+    // A mean over two views may end in a half, which Python rounds to even.
+    return value.is_null() ? value : Json(std::llrint(value.get<double>()));
   }
 
   std::string Text(const std::string& column) const { return this->Cell(column).ToString(); }
