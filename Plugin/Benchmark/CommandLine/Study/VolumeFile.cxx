@@ -96,7 +96,7 @@ Json RawLayout(const fs::path& path)
     throw std::runtime_error(path.string() + ": " + sidecar.filename().string() +
       " is missing beside it; it gives dims and scalar_type");
   }
-  const Json layout = ParseJson(ReadTextFile(sidecar), sidecar.string());
+  Json layout = ParseJson(ReadTextFile(sidecar), sidecar.string());
   CheckSchema(layout, "raw_volume_schema.json", sidecar.string());
   std::uintmax_t bytes = ScalarKinds().at(layout["scalar_type"]).Bytes;
   std::string size;
@@ -195,7 +195,7 @@ vtkSmartPointer<vtkImageData> Upright(vtkImageData* image)
 }
 
 OpenVolume Opened(
-  vtkSmartPointer<vtkImageData> image, const std::string& name, const std::string& file)
+  const vtkSmartPointer<vtkImageData>& image, const std::string& name, const std::string& file)
 {
   vtkDataArray* scalars = ScalarsOf(image);
   if (!scalars)
@@ -238,7 +238,7 @@ fs::path FindVolumeFile(const std::string& name, const fs::path& folder)
 {
   for (const char* extension : Extensions)
   {
-    const fs::path path = folder / (name + extension);
+    fs::path path = folder / (name + extension);
     if (!folder.empty() && fs::is_regular_file(path))
     {
       return path;
