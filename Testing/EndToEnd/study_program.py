@@ -31,11 +31,19 @@ STUDY = {
         {"name": "lemniscate", "dims": [20, 20, 40]},
         {"name": "bucky", "otherwise": "ball"},
         {"name": "own"},
+        {
+            "name": "thin",
+            "generator": "shell",
+            "dims": [12, 14, 16],
+            "share": 0.2,
+            "image_sizes": [[40, 36]],
+        },
     ],
     "transfer_functions": {
         "lemniscate": ["lemniscate-shells"],
         "bucky": ["bucky-opaque"],
         "own": ["ramp"],
+        "thin": ["edges"],
     },
     "techniques": ["single-pass", "compute", "vtk-gpu", "cuda", "paraview-volume"],
     "technique_settings": {"single-pass": {"table_size": [0, 64]}},
@@ -93,6 +101,9 @@ def execute(command: list, environment: dict) -> subprocess.CompletedProcess:
 def write_inputs(folder: Path) -> Path:
     """Write a study, its transfer function and a volume with uneven voxels; return the study."""
     (folder / "ramp.json").write_text(json.dumps(RAMP))
+    edges = {key: RAMP[key] for key in RAMP if key != "unit_distance_voxels"}
+    edges |= {"name": "edges", "unit_distance_edges": 0.25}
+    (folder / "edges.json").write_text(json.dumps(edges))
     data = folder / "data"
     data.mkdir()
     dims, voxels = [9, 10, 11], bytearray()
@@ -124,7 +135,7 @@ def check_same_rows(folder: Path, study: Path) -> None:
     compared = [
         compare(*pair) for pair in zip(rows, expected) if pair[0].path == "engine"
     ]
-    assert sum(compared) == 2 * (3 * (2 + 2 + 1) + 2), compared
+    assert sum(compared) == 2 * (4 * (2 + 2 + 1) + 2), compared
     views = {row.status for row in rows if row.path == "view"}
     assert views == {"unsupported"}, views
     check_report(study, ours, inputs)

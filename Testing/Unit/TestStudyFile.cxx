@@ -82,6 +82,21 @@ TEST_F(StudyFile, SweepsReplaceTheFactorial)
   EXPECT_EQ(runs[4].VariantText(), "vtk-gpu; sample_distance_voxels=0.25");
 }
 
+TEST_F(StudyFile, DatasetsMayHaveSizesAndSweepsOfTheirOwn)
+{
+  this->Document["datasets"][0]["image_sizes"] = { { 64, 64 }, { 32, 32 } };
+  this->Document["datasets"][1]["memory_gb"] = 4;
+  this->Document["sweeps"] =
+    Json::parse(R"([{"techniques": ["single-pass"], "datasets": ["ball"], "step_voxels": [1]}])");
+  Study study = this->Load();
+  const std::vector<StudyRun> runs = study.Runs();
+  EXPECT_EQ(runs.size(), 3u * 2);
+  EXPECT_EQ(runs[1].Scene.Title(), "ball, waves-fog, 32 x 32");
+  EXPECT_TRUE(study.FitMemory(5.0).empty());
+  EXPECT_EQ(study.FitMemory(3.0), std::vector<std::string>{ "waves" });
+  EXPECT_EQ(study.Document["datasets"].size(), 1u);
+}
+
 TEST_F(StudyFile, QuickKeepsTheExtremes)
 {
   const Study study = this->Load(true);
@@ -147,6 +162,11 @@ TEST_F(StudyFile, FaultsAreNamed)
   with("sweeps", R"([{"techniques": ["compute"]}])", "\"compute\" is not among");
   with("quick", R"({"datasets": ["mri"]})", "\"quick.datasets\": \"mri\"");
   with("quick", R"({"frames": 3})", "\"quick\"");
+  with("sweeps", R"([{"datasets": ["mri"]}])", "\"sweeps[0].datasets\": \"mri\" is not");
+  with("datasets", R"([{"name": "x", "generator": "mri"}])", "must be a generated volume");
+  with(
+    "datasets", R"([{"name": "x", "generator": "ball", "otherwise": "ball"}])", "no \"otherwise\"");
+  with("datasets", R"([{"name": "ball", "share": 0.5}])", "\"share\" does not apply");
 }
 
 TEST_F(StudyFile, FunctionsAreFoundAndChecked)
@@ -159,7 +179,8 @@ TEST_F(StudyFile, FunctionsAreFoundAndChecked)
   const double range[2] = { 10.0, 30.0 };
   EXPECT_EQ(function.ValueAt(0.25, range), 15.0);
   EXPECT_EQ(function.Opacity[1][1], 0.5);
-  EXPECT_EQ(function.UnitDistanceVoxels, 2.0);
+  EXPECT_EQ(function.UnitDistance, 2.0);
+  EXPECT_FALSE(function.DistanceInEdges);
   write(R"({"schema": 1, "name": "own", "domain": "value", "opacity": [[0, 0], [0, 0.5]],
     "color": [[0, 1, 0, 0], [1, 0, 1, 0]], "unit_distance_voxels": 2})");
   EXPECT_THROW(ReadFunction("own", { folder }), std::runtime_error);

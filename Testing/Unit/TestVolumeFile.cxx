@@ -71,6 +71,24 @@ TEST_F(VolumeFile, GeneratedValuesAreThoseOfTheirEquations)
   EXPECT_EQ(ValueAt(ball, 200, 100, 100), 0.0);
 }
 
+TEST_F(VolumeFile, AShellFillsItsShareOfTheBox)
+{
+  for (const double share : { 0.02, 0.1, 0.3, 0.6, 0.95 })
+  {
+    const auto image = Generate({ { "name", "any" }, { "generator", "shell" },
+      { "dims", { 96, 96, 96 } }, { "scalar_type", "float32" }, { "share", share } });
+    vtkDataArray* values = image->GetPointData()->GetScalars();
+    vtkIdType filled = 0;
+    for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
+    {
+      filled += values->GetTuple1(i) > 0.0;
+    }
+    const double found = static_cast<double>(filled) / values->GetNumberOfTuples();
+    EXPECT_NEAR(found, share, 0.06 * share) << share;
+    EXPECT_EQ(image->GetScalarComponentAsDouble(48, 48, 48, 0) > 0.5, share >= 0.5);
+  }
+}
+
 TEST_F(VolumeFile, RawFilesAreReadAsTheirSidecarSays)
 {
   std::string bytes;

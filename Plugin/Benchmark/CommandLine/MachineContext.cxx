@@ -8,6 +8,7 @@
 #include <array>
 #include <ctime>
 #include <fstream>
+#include <limits>
 #include <string>
 
 namespace volumebench
@@ -67,5 +68,19 @@ Json MachineContext(const OpenGlNames& names)
     { "paraview", nullptr }, { "vtk", vtkVersion::GetVTKVersion() },
     { "plugin", VOLUMEBENCH_VERSION }, { "build_type", TextOrNull(VOLUMEBENCH_BUILD_TYPE) },
     { "cuda_device", nullptr }, { "opencl_device", nullptr } };
+}
+
+double FreeMemoryGb()
+{
+  std::ifstream file("/proc/meminfo");
+  for (std::string line; std::getline(file, line);)
+  {
+    const std::string key = "MemAvailable:";
+    if (line.rfind(key, 0) == 0)
+    {
+      return std::stod(line.substr(key.size())) / (1024.0 * 1024.0); // it is in kilobytes
+    }
+  }
+  return std::numeric_limits<double>::infinity();
 }
 }

@@ -10,6 +10,9 @@ namespace volumebench
 {
 /// The keys of the context in their order; null is what this program has none of.
 nlohmann::ordered_json MachineContext(const OpenGlNames& names);
+
+/// The memory that this machine can give, in units of 2^30 bytes; infinity when it does not tell.
+double FreeMemoryGb();
 }
 
 #endif

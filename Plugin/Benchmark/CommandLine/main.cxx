@@ -92,7 +92,7 @@ bool PrintRows(const std::vector<Json>& rows)
 
 int MeasureStudy(const Options& options)
 {
-  const Study study = LoadStudy(options.Study, options.Quick, options.Techniques, options.Data);
+  Study study = LoadStudy(options.Study, options.Quick, options.Techniques, options.Data);
   if (options.List)
   {
     for (const StudyRun& run : study.Runs())
@@ -100,6 +100,19 @@ int MeasureStudy(const Options& options)
       PrintRun(run);
     }
     return 0;
+  }
+  for (const std::string& name : study.FitMemory(FreeMemoryGb()))
+  {
+    std::cerr << "note: " << name << " is left out: it takes more memory than is free" << std::endl;
+  }
+  if (study.Runs().empty())
+  {
+    throw std::runtime_error(options.Study + ": no volume fits the memory of this machine");
+  }
+  if (study.Document.contains("start"))
+  {
+    std::cerr << "note: first pictures are those of ParaView's views; not measured here"
+              << std::endl;
   }
   const OpenGlNames names = NamesOfDevice();
   std::cout << names.Renderer << ", OpenGL " << names.Version << std::endl;

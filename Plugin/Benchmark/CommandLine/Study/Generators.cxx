@@ -1,6 +1,7 @@
 #include "Generators.h"
 
 #include "AllCores.h"
+#include "Lists.h"
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
@@ -76,6 +77,73 @@ Field Waves(const Dims& dims)
   };
 }
 
+// The share of the cube [-1, 1]^3 that lies within a distance from its centre.
+double ShareWithin(double radius)
+{
+  if (radius <= 1.0)
+  {
+    return Pi * std::pow(radius, 3) / 6.0;
+  }
+  if (radius <= std::sqrt(2.0)) // a ball without six caps
+  {
+    const double cap = Pi * (radius - 1.0) * (radius - 1.0) * (2.0 * radius + 1.0) / 3.0;
+    return (4.0 * Pi * std::pow(radius, 3) / 3.0 - 6.0 * cap) / 8.0;
+  }
+  if (radius >= std::sqrt(3.0))
+  {
+    return 1.0;
+  }
+  constexpr int slices = 4096;
+  double sum = 0.0;
+  for (int i = 0; i < slices; ++i)
+  {
+    const double height = (i + 0.5) / slices;
+    const double disc = std::sqrt(radius * radius - height * height);
+    const double edge = std::sqrt(std::max(disc * disc - 1.0, 0.0)); // where it leaves the square
+    const double angle = Pi / 2.0 - 2.0 * std::acos(std::min(1.0 / disc, 1.0));
+    sum += edge >= 1.0 ? 1.0 : edge + disc * disc * angle / 2.0;
+  }
+  return sum / slices;
+}
+
+double RadiusAround(double share)
+{
+  double low = 0.0;
+  double high = std::sqrt(3.0);
+  for (int i = 0; i < 60; ++i)
+  {
+    const double middle = (low + high) / 2.0;
+    (ShareWithin(middle) < share ? low : high) = middle;
+  }
+  return (low + high) / 2.0;
+}
+
+// A spherical shell that fills a share of its box, or a solid ball where that is half or more.
+Field Shell(const Dims& dims, double share)
+{
+  constexpr double solidShare = 0.5;
+  constexpr double outerShares = 5.0;
+  double middle = 0.0;
+  double half = RadiusAround(share);
+  if (share < solidShare)
+  {
+    const double outerShare = std::min(outerShares * share, solidShare);
+    const double outer = RadiusAround(outerShare);
+    const double inner = RadiusAround(outerShare - share);
+    middle = (inner + outer) / 2.0;
+    half = (outer - inner) / 2.0;
+  }
+  const auto place = [](int i, int count) { return 2.0 * i / (count - 1) - 1.0; };
+  return [=](int i, int j, int k)
+  {
+    const double x = place(i, dims[0]);
+    const double y = place(j, dims[1]);
+    const double z = place(k, dims[2]);
+    const double across = (std::sqrt(x * x + y * y + z * z) - middle) / half;
+    return 1.0 - across * across;
+  };
+}
+
 template <typename Scalar>
 void Fill(vtkImageData* image, const Dims& dims, const Field& field)
 {
@@ -108,15 +176,30 @@ struct GeneratorRow
   const char* Name;
   Dims Size;
   const char* ScalarType;
-  bool HasExtent;
+  const char* OwnKey; // null: none
 };
 
 const GeneratorRow Rows[] = {
-  { "lemniscate", { 96, 96, 200 }, "uint16", true },
-  { "ball", { 32, 32, 32 }, "uint8", false },
-  { "waves", { 128, 128, 128 }, "uint16", false },
+  { "lemniscate", { 96, 96, 200 }, "uint16", "extent" },
+  { "ball", { 32, 32, 32 }, "uint8", nullptr },
+  { "waves", { 128, 128, 128 }, "uint16", nullptr },
+  { "shell", { 128, 128, 128 }, "uint8", "share" },
 };
 constexpr double DefaultExtent = 1.7;
+constexpr double DefaultShare = 0.1;
+
+Field FieldOf(const std::string& generator, const Json& dataset, const Dims& dims)
+{
+  if (generator == "lemniscate")
+  {
+    return Lemniscate(dims, dataset.value("extent", DefaultExtent));
+  }
+  if (generator == "ball")
+  {
+    return Ball(dims);
+  }
+  return generator == "waves" ? Waves(dims) : Shell(dims, dataset.value("share", DefaultShare));
+}
 
 const GeneratorRow& RowOf(const std::string& name)
 {
@@ -127,30 +210,34 @@ const GeneratorRow& RowOf(const std::string& name)
 
 const std::vector<std::string>& GeneratorNames()
 {
-  static const std::vector<std::string> names = { "lemniscate", "ball", "waves" };
+  static const std::vector<std::string> names = { "lemniscate", "ball", "waves", "shell" };
   return names;
 }
 
 std::vector<std::string> GeneratorKeys(const std::string& generator)
 {
   std::vector<std::string> keys = { "dims", "scalar_type" };
-  if (RowOf(generator).HasExtent)
+  if (RowOf(generator).OwnKey)
   {
-    keys.emplace_back("extent");
+    keys.emplace_back(RowOf(generator).OwnKey);
   }
   return keys;
+}
+
+std::string GeneratorOf(const Json& dataset)
+{
+  const std::string name = dataset.value("generator", dataset["name"].get<std::string>());
+  return Holds(GeneratorNames(), name) ? name : "";
 }
 
 vtkSmartPointer<vtkImageData> Generate(const Json& dataset)
 {
   const std::string name = dataset["name"];
-  const GeneratorRow& row = RowOf(name);
+  const std::string generator = GeneratorOf(dataset);
+  const GeneratorRow& row = RowOf(generator);
   const Dims dims = dataset.value("dims", row.Size);
   const std::string type = dataset.value("scalar_type", std::string(row.ScalarType));
-  const Field field = name == "lemniscate"
-    ? Lemniscate(dims, dataset.value("extent", DefaultExtent))
-    : name == "ball" ? Ball(dims)
-                     : Waves(dims);
+  const Field field = FieldOf(generator, dataset, dims);
   auto image = vtkSmartPointer<vtkImageData>::New();
   image->SetDimensions(dims.data());
   if (type == "uint8")

@@ -13,13 +13,16 @@ class vtkImageData;
 
 namespace volumebench
 {
-/// "lemniscate", "ball", "waves".
+/// "lemniscate", "ball", "waves", "shell".
 const std::vector<std::string>& GeneratorNames();
 
 /// The keys of a dataset that a generator heeds, such as dims.
 std::vector<std::string> GeneratorKeys(const std::string& generator);
 
-/// `dataset` is that of a study; what it leaves out is the generator's own.
+/// The generator of a dataset, or nothing: that which it names, or the one of its own name.
+std::string GeneratorOf(const Json& dataset);
+
+/// `dataset` is that of a study and has a generator; what it leaves out is the generator's own.
 vtkSmartPointer<vtkImageData> Generate(const Json& dataset);
 }
 

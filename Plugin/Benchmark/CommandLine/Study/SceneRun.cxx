@@ -63,7 +63,8 @@ void SetFunction(vtkVolumeBenchmark* bench, const OpenVolume& volume, const Func
   {
     bench->AddColorPoint(function.ValueAt(point[0], volume.Range), point[1], point[2], point[3]);
   }
-  bench->SetScalarOpacityUnitDistance(function.UnitDistanceVoxels * volume.MeanSpacing);
+  bench->SetScalarOpacityUnitDistance(
+    function.UnitDistance * (function.DistanceInEdges ? volume.MeanEdge : volume.MeanSpacing));
 }
 
 void SetMethod(vtkVolumeBenchmark* bench, const Json& document)

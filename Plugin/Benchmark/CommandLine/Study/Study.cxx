@@ -42,6 +42,18 @@ std::string TextOf(const Json& value)
   return value.is_string() ? value.get<std::string>() : value.dump();
 }
 
+// A dataset as Python writes it: with all keys, null where it has none.
+Json AllKeys(const Json& dataset)
+{
+  Json all = Json::object();
+  for (const char* key : { "name", "dims", "scalar_type", "extent", "share", "generator",
+         "image_sizes", "memory_gb", "otherwise", "stands_for" })
+  {
+    all[key] = dataset.value(key, Json());
+  }
+  return all;
+}
+
 bool Matches(const Json& pattern, const StudyScene& scene)
 {
   const Json values = { { "dataset", scene.Dataset },
@@ -125,7 +137,7 @@ std::vector<StudyScene> Study::Scenes() const
     const std::string name = dataset["name"];
     for (const Json& function : this->Document["transfer_functions"][name])
     {
-      for (const Json& size : this->Document["image_sizes"])
+      for (const Json& size : dataset.value("image_sizes", this->Document["image_sizes"]))
       {
         for (const Json& blending : this->Document["blend_modes"])
         {
@@ -151,7 +163,8 @@ std::vector<StudySweep> Study::SweepsOf(
   std::vector<StudySweep> sweeps;
   for (const StudySweep& sweep : this->Sweeps)
   {
-    if (Holds(sweep.Techniques, technique) && Holds(sweep.Paths, path))
+    const bool inside = sweep.Datasets.empty() || Holds(sweep.Datasets, scene.Dataset);
+    if (inside && Holds(sweep.Techniques, technique) && Holds(sweep.Paths, path))
     {
       sweeps.push_back(sweep);
     }
@@ -228,11 +241,7 @@ Json Study::Settings() const
   Json datasets = Json::object();
   for (const Json& dataset : this->Document["datasets"])
   {
-    Json& kept = datasets[dataset["name"].get<std::string>()];
-    for (const char* key : { "name", "dims", "scalar_type", "extent", "otherwise", "stands_for" })
-    {
-      kept[key] = dataset.value(key, Json());
-    }
+    datasets[dataset["name"].get<std::string>()] = AllKeys(dataset);
   }
   Json settings = { { "study", this->Name() }, { "datasets", datasets } };
   for (const char* key : { "camera", "timing", "error", "termination_threshold", "ray_set_up",
@@ -240,6 +249,35 @@ Json Study::Settings() const
   {
     settings[key] = this->Document[key];
   }
+  if (this->Document.contains("start"))
+  {
+    Json start = { { "step_voxels", 1.0 }, { "repeats", 5 }, { "edits", 3 } };
+    start.update(this->Document["start"]);
+    for (Json& dataset : start["datasets"])
+    {
+      dataset = AllKeys(dataset);
+    }
+    settings["start"] = start;
+  }
   return settings;
+}
+
+std::vector<std::string> Study::FitMemory(double freeGb)
+{
+  std::vector<std::string> left;
+  Json kept = Json::array();
+  for (const Json& dataset : this->Document["datasets"])
+  {
+    if (dataset.value("memory_gb", 0.0) > freeGb)
+    {
+      left.push_back(dataset["name"]);
+    }
+    else
+    {
+      kept.push_back(dataset);
+    }
+  }
+  this->Document["datasets"] = kept;
+  return left;
 }
 }

@@ -58,6 +58,7 @@ struct StudySweep
   std::vector<Json> Integrators;
   std::vector<Json> Steps;
   SettingLists Settings;
+  std::vector<std::string> Datasets; // none: all of the study
 };
 
 struct Study
@@ -72,6 +73,9 @@ struct Study
   const Json& Dataset(const std::string& name) const;
   std::vector<StudyScene> Scenes() const;
   std::vector<StudyRun> Runs() const;
+
+  /// Leaves out the volumes that need more memory than this; returns their names.
+  std::vector<std::string> FitMemory(double freeGb);
 
   /// What all rows of one results file must share: settings.json as Python writes it.
   Json Settings() const;

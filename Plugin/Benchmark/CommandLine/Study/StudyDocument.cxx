@@ -153,9 +153,12 @@ void ChooseDatasets(const Json& names, const Json& document, Json& quick, const 
 
 bool IsStudyKey(const std::string& key)
 {
-  const char* required[] = { "schema", "name", "datasets", "transfer_functions", "techniques" };
-  return key == "quick" || Defaults().contains(key) ||
-    std::find(std::begin(required), std::end(required), key) != std::end(required);
+  // The last four: the shorter study, what the report makes of the rows, and first pictures, which
+  // are those of ParaView's views.
+  const char* others[] = { "schema", "name", "datasets", "transfer_functions", "techniques",
+    "quick", "report", "series", "start" };
+  return Defaults().contains(key) ||
+    std::find(std::begin(others), std::end(others), key) != std::end(others);
 }
 
 Json WithDefaults(const Json& document, const std::string& name)

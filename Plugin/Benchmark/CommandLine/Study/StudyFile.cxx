@@ -153,6 +153,7 @@ StudySweep SweepOf(
   sweep.Paths = Texts(item.value("paths", document["paths"]));
   sweep.Integrators = ListOr(item, "integrators", document);
   sweep.Steps = ListOr(item, "step_voxels", document);
+  sweep.Datasets = Texts(item.value("datasets", Json::array()));
   const std::vector<std::string> all = Texts(document["techniques"]);
   for (const std::string& technique : sweep.Techniques)
   {
@@ -196,6 +197,51 @@ Study BuildStudy(const Json& document, const std::string& name)
   return study;
 }
 
+// Sweeps name datasets of the study; a quick one may leave out some of them.
+void CheckNames(
+  const Json& part, const Json& datasets, const std::string& prefix, const std::string& name)
+{
+  std::vector<std::string> known;
+  for (const Json& dataset : datasets)
+  {
+    known.push_back(dataset["name"]);
+  }
+  for (const char* key : { "sweeps", "series" })
+  {
+    const Json items = part.value(key, Json::array());
+    for (std::size_t i = 0; i < items.size(); ++i)
+    {
+      for (const std::string& dataset : Texts(items[i].value("datasets", Json::array())))
+      {
+        if (!Holds(known, dataset))
+        {
+          Fail(name, prefix + key + "[" + std::to_string(i) + "].datasets",
+            "\"" + dataset + "\" is not a dataset of this study");
+        }
+      }
+    }
+  }
+}
+
+// In everything that names datasets.
+void Rename(Json& document, const Json& from, const Json& to)
+{
+  for (Json& pattern : document["technique_settings_scenes"])
+  {
+    if (pattern.value("dataset", Json()) == from)
+    {
+      pattern["dataset"] = to;
+    }
+  }
+  for (Json& sweep : document["sweeps"])
+  {
+    if (sweep.contains("datasets"))
+    {
+      std::replace(sweep["datasets"].begin(), sweep["datasets"].end(), from, to);
+    }
+  }
+}
+
 // A generated volume takes the place of a dataset that has no file here.
 void UseStandIns(Json& document, const fs::path& data)
 {
@@ -209,13 +255,7 @@ void UseStandIns(Json& document, const fs::path& data)
       dataset["stands_for"] = name;
       dataset["name"] = dataset["otherwise"];
       dataset.erase("otherwise");
-      for (Json& pattern : document["technique_settings_scenes"])
-      {
-        if (pattern.value("dataset", Json()) == name)
-        {
-          pattern["dataset"] = dataset["name"];
-        }
-      }
+      Rename(document, name, dataset["name"]);
     }
     functions[dataset["name"].get<std::string>()] = list;
   }
@@ -232,6 +272,8 @@ Study LoadStudy(const std::string& given, bool quick, const std::vector<std::str
   }
   const Json read = ReadStudy(given);
   // A fault is one, whatever part of the study is run.
+  CheckNames(read, read["datasets"], "", given);
+  CheckNames(read.value("quick", Json::object()), read["datasets"], "quick.", given);
   BuildStudy(WithDefaults(read, given), given);
   if (read.contains("quick"))
   {

@@ -43,7 +43,14 @@ FunctionFile Parse(const std::string& text, const std::string& file)
   CheckAscending(document["color"], "color", function.Normalized, file);
   document["opacity"].get_to(function.Opacity);
   document["color"].get_to(function.Color);
-  function.UnitDistanceVoxels = document["unit_distance_voxels"];
+  function.DistanceInEdges = document.contains("unit_distance_edges");
+  if (function.DistanceInEdges == document.contains("unit_distance_voxels"))
+  {
+    throw std::runtime_error(
+      file + ": needs one of \"unit_distance_voxels\" and \"unit_distance_edges\"");
+  }
+  function.UnitDistance =
+    document[function.DistanceInEdges ? "unit_distance_edges" : "unit_distance_voxels"];
   return function;
 }
 }

@@ -15,7 +15,8 @@ struct FunctionFile
   bool Normalized = false;                  // points are over [0, 1] and not over scalar values
   std::vector<std::vector<double>> Opacity; // x, alpha
   std::vector<std::vector<double>> Color;   // x, r, g, b
-  double UnitDistanceVoxels = 1.0;
+  double UnitDistance = 1.0;                // over which the opacities hold, in
+  bool DistanceInEdges = false;             // edges of the box, or else voxels, of mean length
 
   /// Where x is in data of this range.
   double ValueAt(double x, const double range[2]) const;

@@ -227,6 +227,10 @@ OpenVolume Opened(
   image->GetPointData()->SetActiveScalars(scalars->GetName());
   const double* spacing = image->GetSpacing();
   volume.MeanSpacing = (spacing[0] + spacing[1] + spacing[2]) / 3.0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    volume.MeanEdge += (volume.Dims[axis] - 1) * spacing[axis] / 3.0;
+  }
   volume.Image = image;
   volume.Array = scalars->GetName();
   volume.ScalarType = ScalarTypeOf(scalars);
@@ -250,13 +254,21 @@ fs::path FindVolumeFile(const std::string& name, const fs::path& folder)
 void CheckGenerated(const Json& dataset, const std::string& where)
 {
   const std::string name = dataset["name"];
-  const std::string generated = dataset.value("otherwise", name);
-  if (dataset.contains("otherwise") && !IsGenerated(generated))
+  if (dataset.contains("otherwise") && dataset.contains("generator"))
   {
-    throw std::runtime_error(where + ": \"otherwise\" of dataset \"" + name + "\" is \"" +
-      generated + "\"; it must be a generated volume: " + Joined(GeneratorNames()));
+    throw std::runtime_error(
+      where + ": \"" + name + "\" has a \"generator\": it needs no \"otherwise\"");
   }
-  for (const char* key : { "dims", "scalar_type", "extent" })
+  const std::string generated = dataset.value("otherwise", dataset.value("generator", name));
+  for (const char* key : { "otherwise", "generator" })
+  {
+    if (dataset.contains(key) && !IsGenerated(generated))
+    {
+      throw std::runtime_error(where + ": \"" + key + "\" of dataset \"" + name + "\" is \"" +
+        generated + "\"; it must be a generated volume: " + Joined(GeneratorNames()));
+    }
+  }
+  for (const char* key : { "dims", "scalar_type", "extent", "share" })
   {
     if (!dataset.contains(key))
     {
@@ -277,7 +289,7 @@ void CheckGenerated(const Json& dataset, const std::string& where)
 void CheckVolume(const Json& dataset, const fs::path& folder)
 {
   const std::string name = dataset["name"];
-  if (IsGenerated(name))
+  if (!GeneratorOf(dataset).empty())
   {
     return;
   }
@@ -301,7 +313,7 @@ void CheckVolume(const Json& dataset, const fs::path& folder)
 OpenVolume ReadVolume(const Json& dataset, const fs::path& folder)
 {
   const std::string name = dataset["name"];
-  if (IsGenerated(name))
+  if (!GeneratorOf(dataset).empty())
   {
     return Opened(Generate(dataset), name, name);
   }

@@ -23,6 +23,7 @@ struct OpenVolume
   std::string ScalarType; // as numpy calls it: uint8, float32, ...
   double Range[2] = { 0.0, 0.0 };
   double MeanSpacing = 1.0;
+  double MeanEdge = 0.0; // of the box
 };
 
 /// The file NAME.nrrd, .mhd, .vti, .nii, .nii.gz or .raw in a folder; empty when there is none.
