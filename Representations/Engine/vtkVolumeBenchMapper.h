@@ -117,8 +117,8 @@ public:
 
   ///@{
   /**
-   * Voxels along the edge of the cells that Skipping goes by, at least 2; 0 (default): 8, or 16
-   * from 512 voxels an axis on.
+   * Voxels along the edge of the cells that Skipping goes by, at least 2; 0 (default): 4, or 8
+   * above 256 voxels on the longest axis, or 16 above 512.
    */
   vtkSetMacro(MacrocellVoxels, int);
   vtkGetMacro(MacrocellVoxels, int);

@@ -61,7 +61,7 @@ FUNC vec4 contributionOf(
 {
   real along = samplePoint(ray, stepBegin, width);
 #if WITH_BLANKING || WITH_CROP_REGIONS
-  if (isHidden(SCENE ray, along))
+  if (width <= REAL(0.0) || isHidden(SCENE ray, along))
   {
     return emptyRay();
   }
@@ -135,22 +135,27 @@ FUNC vec4 stepOf(SCENE_PARAM Ray ray, real stepBegin, real width, StepEnd front,
 FUNC vec4 pixelOf(SCENE_PARAM March march, int count)
 {
 #if WITH_SAMPLE_COUNT
-  int passed = march.stopped > REAL(0.5) ? march.index : count;
-  return VEC4(TO_REAL(march.taken * SAMPLES_OF_STEP),
-    TO_REAL((passed - march.taken) * SAMPLES_OF_STEP), march.stopped, REAL(0.0));
+  bool stopped = isStopped(SCENE march);
+  int skipped = stopped ? march.skipped : count - march.taken;
+  return VEC4(TO_REAL(march.taken * SAMPLES_OF_STEP), TO_REAL(skipped * SAMPLES_OF_STEP),
+    stopped ? REAL(1.0) : REAL(0.0), REAL(0.0));
 #else
   return finishRay(SCENE march.result);
 #endif
 }
 
-// Takes the next step.
+// Takes the next step. On a ray that has ended or stopped it adds nothing.
 FUNC March stepped(SCENE_PARAM Ray ray, Interval interval, March march)
 {
   real stepBegin = stepBeginOf(SCENE ray, interval, march.index);
   real width = stepWidthOf(SCENE ray, interval, march.index, stepBegin);
   StepEnd back =
     stepEndAt(SCENE ray, min(stepBeginOf(SCENE ray, interval, march.index + 1), interval.end));
+  // Nothing is asked of what the ray has gathered before it is added to: steps whose samples do not
+  // wait for each other go side by side through a processor.
   vec4 contribution = stepOf(SCENE ray, stepBegin, width, march.front, back);
+  bool stopped = isStopped(SCENE march);
+  contribution = stopped ? emptyRay() : contribution;
 #if WITH_COMPENSATION
   PRECISE vec4 change = additionOf(march.result, contribution) - march.lost;
   PRECISE vec4 sum = march.result + change;
@@ -162,57 +167,23 @@ FUNC March stepped(SCENE_PARAM Ray ray, Interval interval, March march)
   march.front = back;
   march.index = march.index + 1;
 #if WITH_SAMPLE_COUNT
-  march.taken = march.taken + 1;
-#endif
-#if WITH_TERMINATION
-  march.stopped = isFinished(SCENE march.result) ? REAL(1.0) : REAL(0.0);
+  march.taken = width > REAL(0.0) && !stopped ? march.taken + 1 : march.taken;
 #endif
   return march;
 }
 
-#if WITH_COMPENSATION
-FUNC March steppedIfDue(SCENE_PARAM Ray ray, Interval interval, March march)
+// Takes a few steps without asking in between whether the ray goes on, so that their samples do not
+// wait for each other.
+FUNC March steppedOn(SCENE_PARAM Ray ray, Interval interval, March march)
 {
-  if (goesOn(march, march.runEnd))
-  {
-    march = stepped(SCENE ray, interval, march);
-  }
-  return march;
-}
-
-FUNC March steppedFourTimes(SCENE_PARAM Ray ray, Interval interval, March march)
-{
-  march = steppedIfDue(SCENE ray, interval, march);
-  march = steppedIfDue(SCENE ray, interval, march);
-  march = steppedIfDue(SCENE ray, interval, march);
-  return steppedIfDue(SCENE ray, interval, march);
-}
-#endif
-
-// Takes all steps of the run that the ray is in, or stops early.
-FUNC March marched(SCENE_PARAM Ray ray, Interval interval, March march)
-{
-  if (march.index < march.runEnd)
-  {
-    march.front = stepEndAt(SCENE ray, stepBeginOf(SCENE ray, interval, march.index));
-#if WITH_COMPENSATION
-    // Mesa's llvmpipe leaves the loops of a kernel for good after 65535 rounds, so each takes 16
-    // steps; what is longer still is refused (MostSteps in Scene/Features.h).
-    do
-    {
-      march = steppedFourTimes(SCENE ray, interval, march);
-      march = steppedFourTimes(SCENE ray, interval, march);
-      march = steppedFourTimes(SCENE ray, interval, march);
-      march = steppedFourTimes(SCENE ray, interval, march);
-    } while (goesOn(march, march.runEnd));
+#if WITH_SEGMENT
+  march = stepped(SCENE ray, interval, march);
 #else
-    do
-    {
-      march = stepped(SCENE ray, interval, march);
-    } while (goesOn(march, march.runEnd));
+  march = stepped(SCENE ray, interval, march);
+  march = stepped(SCENE ray, interval, march);
+  march = stepped(SCENE ray, interval, march);
 #endif
-  }
-  return march;
+  return stepped(SCENE ray, interval, march);
 }
 
 // The pixel of the part of a ray in the interval.
@@ -228,19 +199,30 @@ FUNC vec4 integrate(SCENE_PARAM Ray ray, Interval interval)
   end = stepIndexAt(SCENE ray, interval, occupied.end, REAL(1.0) + margin, first, count);
   end = occupied.end > occupied.begin ? end : first;
 #endif
-  March march = startOfMarch(first, end);
+  March march = startOfMarch(first);
   if (first < end)
   {
 #if WITH_SKIPPING
     CellRay cells = cellRayOf(SCENE ray);
+#else
+    march.front = stepEndAt(SCENE ray, stepBeginOf(SCENE ray, interval, first));
+#endif
     do
     {
+#if WITH_SKIPPING
       march = jumped(SCENE cells, ray, interval, march, end);
-      march = marched(SCENE ray, interval, march);
-    } while (goesOn(march, end));
-#else
-    march = marched(SCENE ray, interval, march);
+      march.front = stepEndAt(SCENE ray, stepBeginOf(SCENE ray, interval, march.index));
 #endif
+      march = steppedOn(SCENE ray, interval, march);
+#if WITH_COMPENSATION
+      // Mesa's llvmpipe leaves the loops of a kernel for good after 65535 rounds of all of them, so
+      // each takes 32 samples; what is longer still is refused (MostSteps in Scene/Features.h).
+      march = steppedOn(SCENE ray, interval, steppedOn(SCENE ray, interval, march));
+      march = steppedOn(SCENE ray, interval, steppedOn(SCENE ray, interval, march));
+      march = steppedOn(SCENE ray, interval, steppedOn(SCENE ray, interval, march));
+      march = steppedOn(SCENE ray, interval, march);
+#endif
+    } while (goesOn(SCENE march, end));
   }
   return pixelOf(SCENE march, count);
 }

@@ -100,7 +100,7 @@ FUNC real visibleShare(SCENE_PARAM Ray ray, real stepBegin, real width)
     visible = isInCropRegions(SCENE middle) ? visible + (next - from) : visible;
     from = next;
   }
-  return visible / width;
+  return visible / max(width, REAL(1.0e-30));
 #else
   return REAL(1.0);
 #endif

@@ -17,14 +17,13 @@ STRUCT(March)
 #endif
   StepEnd front;
   int index;  // of the next step
-  int runEnd; // steps before this one need no further look at the macrocells
 #if WITH_SAMPLE_COUNT
-  int taken; // steps that were not skipped
+  int taken;
+  int skipped;
 #endif
-  real stopped;
 };
 
-FUNC March startOfMarch(int first, int end)
+FUNC March startOfMarch(int first)
 {
   March march;
   march.result = emptyRay();
@@ -32,17 +31,26 @@ FUNC March startOfMarch(int first, int end)
   march.lost = VEC4(REAL(0.0), REAL(0.0), REAL(0.0), REAL(0.0));
 #endif
   march.index = first;
-  march.runEnd = end;
 #if WITH_SAMPLE_COUNT
   march.taken = 0;
+  march.skipped = first;
 #endif
-  march.stopped = REAL(0.0);
   return march;
 }
 
-FUNC bool goesOn(March march, int end)
+// Whether nothing behind what the ray has gathered can be seen.
+FUNC bool isStopped(SCENE_PARAM March march)
 {
-  return march.index < end && march.stopped < REAL(0.5);
+#if WITH_TERMINATION
+  return isFinished(SCENE march.result);
+#else
+  return false;
+#endif
+}
+
+FUNC bool goesOn(SCENE_PARAM March march, int end)
+{
+  return march.index < end && !isStopped(SCENE march);
 }
 
 // Index of the step that a place on the ray lies in, moved by `steps`, within [least, most].
@@ -101,48 +109,92 @@ FUNC real cellCoordinate(real place, real last)
   return max(REAL(0.0), min(floor(place), last));
 }
 
-// Where the ray leaves the cube of the cells nearer than `distance` to a cell.
-FUNC real leavesCube(CellRay cells, vec3 cell, real distance)
+// What a ray finds in a macrocell.
+STRUCT(CellRun)
+{
+  bool skips; // nothing in the cell and those like it changes the pixel
+  bool leavesGrid;
+  real end;  // where the ray leaves them
+  vec3 next; // a place in the cell that comes then
+};
+
+// The next coordinate along one axis: past the border if that is where the ray leaves, and else not
+// back before the cell that it comes from, so that rounding cannot hold it where it is.
+FUNC real nextPlace(real place, real cell, real border, real ahead, bool crossed)
+{
+  real onward = ahead > REAL(0.5) ? max(place, cell) : min(place, cell + REAL(0.5));
+  return crossed ? border + ahead - REAL(0.5) : onward;
+}
+
+FUNC bool isOutside(real place, real last)
+{
+  return place < REAL(-0.25) || place > last + REAL(1.25);
+}
+
+// The ray from a macrocell to where it leaves the cube of those nearer than `distance` to it.
+FUNC CellRun leavingCube(SCENE_PARAM CellRay cells, vec3 cell, real distance)
 {
   real span = REAL(2.0) * distance - REAL(1.0);
   vec3 border = cell + (REAL(1.0) - distance) * VEC3(REAL(1.0), REAL(1.0), REAL(1.0)) +
-    span * cells.ahead - cells.origin;
-  return min(border.x * cells.unitsPerCell.x,
-    min(border.y * cells.unitsPerCell.y, border.z * cells.unitsPerCell.z));
+    span * cells.ahead;
+  real x = (border.x - cells.origin.x) * cells.unitsPerCell.x;
+  real y = (border.y - cells.origin.y) * cells.unitsPerCell.y;
+  real z = (border.z - cells.origin.z) * cells.unitsPerCell.z;
+  CellRun run;
+  run.skips = false;
+  run.end = min(x, min(y, z));
+  vec3 place = cells.origin + run.end * cells.direction;
+  run.next = VEC3(nextPlace(place.x, cell.x, border.x, cells.ahead.x, x <= run.end),
+    nextPlace(place.y, cell.y, border.y, cells.ahead.y, y <= run.end),
+    nextPlace(place.z, cell.z, border.z, cells.ahead.z, z <= run.end));
+  run.leavesGrid = isOutside(run.next.x, scene.cells.x) || isOutside(run.next.y, scene.cells.y) ||
+    isOutside(run.next.z, scene.cells.z);
+  return run;
 }
 
-// Follows the ray from its next step over all steps that can be left out, and says how far the
-// steps after them need no further look.
+FUNC CellRun cellRunAt(SCENE_PARAM CellRay cells, vec3 place, vec4 result)
+{
+  vec3 cell = VEC3(cellCoordinate(place.x, scene.cells.x), cellCoordinate(place.y, scene.cells.y),
+    cellCoordinate(place.z, scene.cells.z));
+  int x = TO_INT(cell.x);
+  int y = TO_INT(cell.y);
+  int z = TO_INT(cell.z);
+#if WITH_MAXIMUM_BLEND
+  CellRun run = leavingCube(SCENE cells, cell, REAL(1.0));
+  run.skips = cellExtremeAt(SCENE x, y, z) <= result.x;
+#elif WITH_MINIMUM_BLEND
+  CellRun run = leavingCube(SCENE cells, cell, REAL(1.0));
+  run.skips = cellExtremeAt(SCENE x, y, z) >= result.x;
+#else
+  int code = cellCodeAt(SCENE x, y, z);
+  CellRun run = leavingCube(SCENE cells, cell, TO_REAL(code & 255));
+  run.skips = code < 256;
+#endif
+  return run;
+}
+
+// Follows the ray from its next step over all that can be left out to the first step that cannot.
 FUNC March jumped(SCENE_PARAM CellRay cells, Ray ray, Interval interval, March march, int end)
 {
   real margin = CELL_MARGIN * ray.oneVoxel / scene.sampling.x;
-  bool again = true;
+  real along = stepBeginOf(SCENE ray, interval, march.index);
+  real last = stepBeginOf(SCENE ray, interval, end);
+  vec3 place = cells.origin + along * cells.direction;
+  bool goes = true;
   do
   {
-    vec3 place = cells.origin + stepBeginOf(SCENE ray, interval, march.index) * cells.direction;
-    vec3 cell = VEC3(cellCoordinate(place.x, scene.cells.x), cellCoordinate(place.y, scene.cells.y),
-      cellCoordinate(place.z, scene.cells.z));
-    int x = TO_INT(cell.x);
-    int y = TO_INT(cell.y);
-    int z = TO_INT(cell.z);
-#if WITH_MAXIMUM_BLEND
-    bool skips = cellExtremeAt(SCENE x, y, z) <= march.result.x;
-    real distance = REAL(1.0);
-#elif WITH_MINIMUM_BLEND
-    bool skips = cellExtremeAt(SCENE x, y, z) >= march.result.x;
-    real distance = REAL(1.0);
-#else
-    int code = cellCodeAt(SCENE x, y, z);
-    bool skips = code < 256;
-    real distance = TO_REAL(code & 255);
+    CellRun run = cellRunAt(SCENE cells, place, march.result);
+    real leaves = run.leavesGrid ? last : max(along, run.end);
+    along = run.skips ? leaves : along;
+    place = run.next;
+    goes = run.skips && along < last;
+  } while (goes);
+  int next = stepIndexAt(SCENE ray, interval, along, -margin, march.index, end);
+  next = along < last ? next : end;
+#if WITH_SAMPLE_COUNT
+  march.skipped = march.skipped + next - march.index;
 #endif
-    real leaves = leavesCube(cells, cell, distance);
-    // Only whole steps are skipped: the one in which the ray crosses the border is taken.
-    int next = stepIndexAt(SCENE ray, interval, leaves, skips ? -margin : REAL(1.0), march.index, end);
-    again = skips && next > march.index && next < end;
-    march.runEnd = max(next, march.index + 1);
-    march.index = skips ? next : march.index;
-  } while (again);
+  march.index = next;
   return march;
 }
 #endif

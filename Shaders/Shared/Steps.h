@@ -57,12 +57,13 @@ FUNC real stepBeginOf(SCENE_PARAM Ray ray, Interval interval, int index)
   return interval.begin + along;
 }
 
-// How long a step is. The last may be short, and with borders that move the first is.
+// How long a step is. The last may be short, and with borders that move the first is. Steps past the
+// end have no length.
 FUNC real stepWidthOf(SCENE_PARAM Ray ray, Interval interval, int index, real stepBegin)
 {
   real width = scene.sampling.x;
 #if BORDERS_MOVE
   width = index == 0 ? width - borderShift(ray, width) : width;
 #endif
-  return min(width, interval.end - stepBegin);
+  return max(min(width, interval.end - stepBegin), REAL(0.0));
 }

@@ -52,7 +52,10 @@ std::vector<double> SamplesOf(double share, double begin, double end, double ste
   scene.field = [](jitter64::vec3 position) { return position.x; };
   scene.table = [&](double value)
   {
-    samples.push_back(value);
+    if (value < end) // steps past the end of the ray have no length
+    {
+      samples.push_back(value);
+    }
     return jitter64::vec4(0.0);
   };
   jitter64::integrate(scene, RayAlongX<jitter64::Ray>(share), { begin, end });
@@ -74,7 +77,10 @@ jitteredBorders64::BackendScene SceneThatNotes(std::vector<Step>& steps, double 
   scene.field = [](jitteredBorders64::vec3 position) { return position.x; };
   scene.segmentTable = [&steps](double front, double back)
   {
-    steps.push_back({ front, back });
+    if (front != back) // steps past the end of the ray have no length
+    {
+      steps.push_back({ front, back });
+    }
     return jitteredBorders64::vec4(0.0);
   };
   return scene;

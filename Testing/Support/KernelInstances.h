@@ -148,4 +148,29 @@
 #define WITH_SAMPLE_COUNT 1
 #include "Scene/KernelInstance.h"
 
+#define KERNEL_NAMESPACE plainMidpoint32
+#define KERNEL_REAL float
+#define WITH_MIDPOINT 1
+#include "Scene/KernelInstance.h"
+
+#define KERNEL_NAMESPACE skippingMidpoint32
+#define KERNEL_REAL float
+#define WITH_MIDPOINT 1
+#define WITH_TIGHT_BOX 1
+#define WITH_SKIPPING 1
+#include "Scene/KernelInstance.h"
+
+#define KERNEL_NAMESPACE plainMaximum32
+#define KERNEL_REAL float
+#define WITH_MIDPOINT 1
+#define WITH_MAXIMUM_BLEND 1
+#include "Scene/KernelInstance.h"
+
+#define KERNEL_NAMESPACE skippingMaximum32
+#define KERNEL_REAL float
+#define WITH_MIDPOINT 1
+#define WITH_MAXIMUM_BLEND 1
+#define WITH_SKIPPING 1
+#include "Scene/KernelInstance.h"
+
 #endif

@@ -151,8 +151,9 @@ struct GridWorker
 
 int SuitableMacrocellEdge(const glm::ivec3& texels)
 {
-  constexpr int LargeVolume = 512;
-  return std::max({ texels.x, texels.y, texels.z }) >= LargeVolume ? 16 : 8;
+  // 64 cells on the longest axis: finer ones save few samples, and the map takes longer to make.
+  const int longest = std::max({ texels.x, texels.y, texels.z });
+  return longest > 512 ? 16 : (longest > 256 ? 8 : 4);
 }
 
 MacrocellGrid BuildMacrocellGrid(const Volume& volume, int edgeVoxels)
