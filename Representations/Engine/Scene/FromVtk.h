@@ -2,12 +2,15 @@
 #ifndef volumebench_FromVtk_h
 #define volumebench_FromVtk_h
 
+#include "vtkAOSDataArrayTemplate.h"
+#include "vtkDataArrayMeta.h"
 #include "vtkMatrix4x4.h"
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
 #include <cmath>
+#include <type_traits>
 
 namespace volumebench
 {
@@ -29,6 +32,11 @@ inline glm::dvec3 FromVtk(const double* vector)
 {
   return { vector[0], vector[1], vector[2] };
 }
+
+/// Whether the values of an array type lie in memory one after another, as GetPointer gives them.
+template <typename Array>
+constexpr bool IsPlain =
+  std::is_same<Array, vtkAOSDataArrayTemplate<vtk::GetAPIType<Array>>>::value;
 
 /// One component of a tuple of a vtk::DataArrayTupleRange, or its magnitude for component -1.
 template <typename Tuple>

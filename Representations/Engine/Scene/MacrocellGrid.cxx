@@ -3,7 +3,6 @@
 #include "AllCores.h"
 #include "Scene/FromVtk.h"
 
-#include "vtkAOSDataArrayTemplate.h"
 #include "vtkArrayDispatch.h"
 #include "vtkDataArray.h"
 #include "vtkDataArrayRange.h"
@@ -39,7 +38,6 @@ class RowsOf
 {
 public:
   using ArrayValue = vtk::GetAPIType<Array>;
-  static constexpr bool Plain = std::is_same<Array, vtkAOSDataArrayTemplate<ArrayValue>>::value;
 
   RowsOf(Array* array, const Volume& volume)
     : Values(array)
@@ -53,7 +51,7 @@ public:
   {
     const int count = this->Scene.Texels.x;
     const vtkIdType first = row * count;
-    if constexpr (Plain && std::is_same<T, ArrayValue>::value)
+    if constexpr (IsPlain<Array> && std::is_same<T, ArrayValue>::value)
     {
       const T* values = this->Values->GetPointer(first);
       for (int i = 0; i < count; ++i)
@@ -133,7 +131,7 @@ struct GridWorker
     using Value = vtk::GetAPIType<Array>;
     const RowsOf<Array> rows(array, volume);
     const bool plain =
-      RowsOf<Array>::Plain && array->GetNumberOfComponents() == 1 && !volume.HasNonFinite;
+      IsPlain<Array> && array->GetNumberOfComponents() == 1 && !volume.HasNonFinite;
     const vtkIdType count = static_cast<vtkIdType>(grid.Cells.y) * grid.Cells.z;
     ForOnAllCores(0, count, 0,
       [&](vtkIdType begin, vtkIdType end)

@@ -2,67 +2,17 @@
 
 #include "Scene/FromVtk.h"
 
-#include "vtkArrayDispatch.h"
 #include "vtkDataArray.h"
-#include "vtkDataArrayRange.h"
 #include "vtkImageData.h"
 #include "vtkMatrix4x4.h"
-#include "vtkSMPThreadLocal.h"
-#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace volumebench
 {
 namespace
 {
-void Merge(ScalarStatistics& into, const ScalarStatistics& other)
-{
-  if (other.AnyFinite)
-  {
-    into.Low = into.AnyFinite ? std::min(into.Low, other.Low) : other.Low;
-    into.High = into.AnyFinite ? std::max(into.High, other.High) : other.High;
-    into.AnyFinite = true;
-  }
-  into.AllFinite = into.AllFinite && other.AllFinite;
-}
-
-void Include(ScalarStatistics& statistics, double value)
-{
-  if (!std::isfinite(value))
-  {
-    statistics.AllFinite = false;
-    return;
-  }
-  statistics.Low = statistics.AnyFinite ? std::min(statistics.Low, value) : value;
-  statistics.High = statistics.AnyFinite ? std::max(statistics.High, value) : value;
-  statistics.AnyFinite = true;
-}
-
-struct StatisticsWorker
-{
-  template <typename Array>
-  void operator()(Array* array, int component, ScalarStatistics& result) const
-  {
-    vtkSMPThreadLocal<ScalarStatistics> partial;
-    vtkSMPTools::For(0, array->GetNumberOfTuples(),
-      [&](vtkIdType begin, vtkIdType end)
-      {
-        ScalarStatistics& local = partial.Local();
-        for (const auto tuple : vtk::DataArrayTupleRange(array, begin, end))
-        {
-          Include(local, ValueOf(tuple, component));
-        }
-      });
-    for (const ScalarStatistics& local : partial)
-    {
-      Merge(result, local);
-    }
-  }
-};
-
 // Colours come as they are: whole numbers relative to the largest of their type, floats from 0
 // to 1.
 ValueMapping DirectColorMapping(vtkDataArray* scalars)
@@ -164,21 +114,7 @@ void PlaceGrid(Volume& volume, vtkImageData* image, Centering center, vtkMatrix4
   volume.VoxelToData = FromVtk(image->GetIndexToPhysicalMatrix()) * toMiddle;
   volume.VoxelToWorld = (actor ? FromVtk(actor) : glm::dmat4(1.0)) * volume.VoxelToData;
 }
-}
 
-ScalarStatistics ComputeStatistics(vtkDataArray* scalars, int component)
-{
-  ScalarStatistics result;
-  StatisticsWorker worker;
-  if (!vtkArrayDispatch::Dispatch::Execute(scalars, worker, component, result))
-  {
-    worker(scalars, component, result);
-  }
-  return result;
-}
-
-namespace
-{
 void ChooseChannels(Volume& volume, const ChannelRequest& request)
 {
   const int components = volume.Scalars->GetNumberOfComponents();

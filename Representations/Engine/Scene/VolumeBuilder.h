@@ -5,6 +5,7 @@
 #include "VolumeBenchEngineModule.h"
 
 #include "Scene/ArraySelection.h"
+#include "Scene/ScalarStatistics.h"
 #include "Scene/Scene.h"
 
 class vtkImageData;
@@ -18,17 +19,6 @@ struct ChannelRequest
   int Component = 0;      // -1 for the magnitude
   bool Dependent = false; // all of them: two are colour and opacity, four RGBA
 };
-
-/// Range over the finite values of one component (-1: magnitude), and whether all were finite.
-struct ScalarStatistics
-{
-  double Low = 0.0;
-  double High = 0.0;
-  bool AnyFinite = false;
-  bool AllFinite = true;
-};
-
-VOLUMEBENCHENGINE_EXPORT ScalarStatistics ComputeStatistics(vtkDataArray* scalars, int component);
 
 class VOLUMEBENCHENGINE_EXPORT VolumeBuilder
 {
