@@ -11,6 +11,8 @@
 
 #include <cstring>
 #include <numeric>
+#include <random>
+#include <set>
 
 using namespace volumebench;
 using namespace volumebench::test;
@@ -185,4 +187,46 @@ TEST(VolumeUpload, HiddenCellsOfCellDataAreRoundTheirTexels)
   ASSERT_EQ(grid.size(), 64u);
   EXPECT_EQ(std::accumulate(grid.begin(), grid.end(), 0), BlankRoundTexel);
   EXPECT_EQ(grid[1 + 4 * (2 + 4 * 0)], BlankRoundTexel);
+}
+
+namespace
+{
+// Values of a type all over its range, in a plain array of one component or, the same ones, as the
+// first of two components, which no short cut takes.
+vtkSmartPointer<vtkImageData> MakeScattered(int type, int components)
+{
+  constexpr int Edge = 24;
+  auto image = MakeImage(Edge, Edge, Edge, [](double, double, double) { return 0.0; });
+  vtkSmartPointer<vtkDataArray> array;
+  array.TakeReference(vtkDataArray::CreateDataArray(type));
+  array->SetName("field");
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(Edge * Edge * Edge);
+  const bool real = type == VTK_FLOAT || type == VTK_DOUBLE;
+  const double low = real ? -3.7 : std::max(-1.0e9, array->GetDataTypeMin());
+  const double high = real ? 1.0e4 / 3.0 : std::min(1.0e9, array->GetDataTypeMax());
+  std::mt19937 generator(type);
+  std::uniform_real_distribution<double> any(0.99 * low, 0.98 * high);
+  for (vtkIdType i = 0; i < Edge * Edge * Edge; ++i)
+  {
+    const double value = any(generator);
+    array->SetComponent(i, 0, real ? value : std::floor(value));
+  }
+  image->GetPointData()->SetScalars(array);
+  return image;
+}
+}
+
+TEST(VolumeUpload, ShortCutsGiveTheVerySameTexels)
+{
+  for (const int type : { VTK_CHAR, VTK_SIGNED_CHAR, VTK_UNSIGNED_CHAR, VTK_SHORT,
+         VTK_UNSIGNED_SHORT, VTK_INT, VTK_UNSIGNED_INT, VTK_LONG, VTK_UNSIGNED_LONG, VTK_LONG_LONG,
+         VTK_UNSIGNED_LONG_LONG, VTK_ID_TYPE, VTK_FLOAT, VTK_DOUBLE })
+  {
+    const Volume plain = Build(MakeScattered(type, 1));
+    const Volume strided = Build(MakeScattered(type, 2));
+    const auto texels = Texels<unsigned char>(plain, 0, plain.Texels.z);
+    ASSERT_GT(std::set<unsigned char>(texels.begin(), texels.end()).size(), 100u) << type;
+    EXPECT_EQ(texels, Texels<unsigned char>(strided, 0, plain.Texels.z)) << type;
+  }
 }
