@@ -1,6 +1,7 @@
 #include "Scene/CellMap.h"
 
 #include "EngineScene.h"
+#include "Scene/CellDistances.h"
 #include "Scene/Majorant.h"
 #include "Scene/PrefixTable.h"
 
@@ -59,20 +60,24 @@ int DistanceByForce(
 TEST(CellMap, DistancesAreThoseOfAllPairs)
 {
   std::mt19937 generator(7);
-  for (const double share : { 0.0, 0.002, 0.02, 0.3, 0.9, 1.0 })
+  for (const glm::ivec3 cells :
+    { glm::ivec3(13, 9, 7), glm::ivec3(40, 3, 2), glm::ivec3(1, 31, 1), glm::ivec3(2, 1, 33) })
   {
-    const glm::ivec3 cells(13, 9, 7);
-    std::vector<CellKind> kinds(cells.x * cells.y * cells.z);
-    std::bernoulli_distribution occupied(share);
-    for (CellKind& kind : kinds)
+    for (const double share : { 0.0, 0.002, 0.02, 0.3, 0.9, 1.0 })
     {
-      kind = occupied(generator) ? CellKind::Occupied : CellKind::Empty;
-    }
-    const std::vector<std::uint8_t> distances = DistancesToOtherKinds(kinds, cells);
-    for (int i = 0; i < static_cast<int>(kinds.size()); ++i)
-    {
-      const glm::ivec3 cell(i % cells.x, (i / cells.x) % cells.y, i / (cells.x * cells.y));
-      ASSERT_EQ(distances[i], DistanceByForce(kinds, cells, cell)) << "share " << share;
+      std::vector<CellKind> kinds(cells.x * cells.y * cells.z);
+      std::bernoulli_distribution occupied(share);
+      for (CellKind& kind : kinds)
+      {
+        kind = occupied(generator) ? CellKind::Occupied : CellKind::Empty;
+      }
+      const std::vector<std::uint8_t> distances = DistancesToOtherKinds(kinds, cells);
+      ASSERT_EQ(distances.size(), kinds.size());
+      for (int i = 0; i < static_cast<int>(kinds.size()); ++i)
+      {
+        const glm::ivec3 cell(i % cells.x, (i / cells.x) % cells.y, i / (cells.x * cells.y));
+        ASSERT_EQ(distances[i], DistanceByForce(kinds, cells, cell)) << "share " << share;
+      }
     }
   }
 }

@@ -1,5 +1,6 @@
 #include "Scene/CellMap.h"
 
+#include "Scene/CellDistances.h"
 #include "Scene/Majorant.h"
 
 #include <glm/common.hpp>
@@ -11,8 +12,6 @@ namespace volumebench
 {
 namespace
 {
-constexpr int FarthestDistance = 255;
-
 std::vector<CellKind> KindsOf(const MacrocellGrid& grid, const Scene& scene)
 {
   const Majorant majorant(scene);
@@ -56,79 +55,6 @@ void MeasureOccupied(const std::vector<CellKind>& kinds, const Scene& scene, Cel
     map.OccupiedHigh = glm::min(edge * glm::dvec3(high + 1) - half, half);
   }
 }
-
-// One sweep of the two-pass distance transform: each cell learns from the 13 neighbours that come
-// before it in the order of the sweep.
-class Sweep
-{
-public:
-  Sweep(const std::vector<CellKind>& kinds, const glm::ivec3& cells,
-    std::vector<std::uint8_t>& distances)
-    : Kinds(kinds)
-    , Cells(cells)
-    , Distances(distances)
-  {
-  }
-
-  void Run(int direction)
-  {
-    const glm::ivec3 last = this->Cells - 1;
-    for (int k = 0; k <= last.z; ++k)
-    {
-      for (int j = 0; j <= last.y; ++j)
-      {
-        for (int i = 0; i <= last.x; ++i)
-        {
-          const glm::ivec3 cell(i, j, k);
-          this->Learn(direction > 0 ? cell : last - cell, direction);
-        }
-      }
-    }
-  }
-
-private:
-  void Learn(const glm::ivec3& cell, int direction)
-  {
-    const std::size_t here = this->IndexOf(cell);
-    int distance = this->Distances[here];
-    for (int n = 0; n < 13; ++n)
-    {
-      const glm::ivec3 offset(n % 3 - 1, (n / 3) % 3 - 1, n / 9 - 1);
-      const glm::ivec3 other = cell + direction * offset;
-      if (other.x < 0 || other.y < 0 || other.z < 0 || other.x >= this->Cells.x ||
-        other.y >= this->Cells.y || other.z >= this->Cells.z)
-      {
-        continue;
-      }
-      const std::size_t there = this->IndexOf(other);
-      const int known = this->Kinds[there] == this->Kinds[here] ? this->Distances[there] : 0;
-      distance = std::min(distance, known + 1);
-    }
-    this->Distances[here] = static_cast<std::uint8_t>(distance);
-  }
-
-  std::size_t IndexOf(const glm::ivec3& cell) const
-  {
-    return cell.x + static_cast<std::size_t>(this->Cells.x) * (cell.y + this->Cells.y * cell.z);
-  }
-
-  const std::vector<CellKind>& Kinds;
-  glm::ivec3 Cells;
-  std::vector<std::uint8_t>& Distances;
-};
-}
-
-std::vector<std::uint8_t> DistancesToOtherKinds(
-  const std::vector<CellKind>& kinds, const glm::ivec3& cells)
-{
-  // Within the distance to another kind all cells are alike, so the shortest way there passes
-  // through cells whose distances count on from each other: two sweeps find it, as they do for the
-  // distance to a set (Rosenfeld & Pfaltz 1966).
-  std::vector<std::uint8_t> distances(kinds.size(), FarthestDistance);
-  Sweep sweep(kinds, cells, distances);
-  sweep.Run(1);
-  sweep.Run(-1);
-  return distances;
 }
 
 CellMap MapOccupiedCells(const MacrocellGrid& grid, const Scene& scene)

@@ -44,10 +44,6 @@ VOLUMEBENCHENGINE_EXPORT CellMap MapOccupiedCells(const MacrocellGrid& grid, con
 
 /// For Maximum and Minimum, whose cells matter only to rays that have not met a greater extreme.
 VOLUMEBENCHENGINE_EXPORT CellMap MapExtremes(const MacrocellGrid& grid, const Scene& scene);
-
-/// Chebyshev distance of each cell to the nearest of another kind, at most 255; x runs fastest.
-VOLUMEBENCHENGINE_EXPORT std::vector<std::uint8_t> DistancesToOtherKinds(
-  const std::vector<CellKind>& kinds, const glm::ivec3& cells);
 }
 
 #endif
