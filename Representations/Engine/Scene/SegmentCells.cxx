@@ -1,8 +1,7 @@
 #include "Scene/SegmentCells.h"
 
+#include "AllCores.h"
 #include "Scene/ExactTransferFunction.h"
-
-#include "vtkSMPTools.h"
 
 #include <glm/common.hpp>
 #include <glm/vec3.hpp>
@@ -76,7 +75,7 @@ std::vector<SegmentCell> SegmentCellsOf(const TransferFunction& function, int co
     return (1.0 - share) * function.Low + share * function.High;
   };
   std::vector<SegmentCell> cells(count);
-  vtkSMPTools::For(0, count,
+  ForOnAllCores(0, count, 0,
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType i = begin; i < end; ++i)

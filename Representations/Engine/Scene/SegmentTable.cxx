@@ -1,6 +1,6 @@
 #include "Scene/SegmentTable.h"
 
-#include "vtkSMPTools.h"
+#include "AllCores.h"
 
 #include <glm/common.hpp>
 
@@ -146,7 +146,7 @@ std::size_t MakeAll(const Making& making, const std::vector<SegmentCell>& cells,
   const auto size = static_cast<int>(making.Next.size());
   std::atomic<std::size_t> made{ 0 };
   // The first rows are the longest: each goes with one of the last, so that cores share alike.
-  vtkSMPTools::For(0, (size + 1) / 2,
+  ForOnAllCores(0, (size + 1) / 2, 0,
     [&](vtkIdType begin, vtkIdType end)
     {
       SegmentRow row(cells, making.Stride, length);
