@@ -13,7 +13,7 @@ namespace volumebench
 {
 namespace
 {
-constexpr std::size_t SlabBytes = std::size_t(16) << 20;
+constexpr std::size_t SlabBytes = std::size_t(4) << 20;
 
 using Clock = std::chrono::steady_clock;
 
