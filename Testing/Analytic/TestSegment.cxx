@@ -68,7 +68,7 @@ TransferFunction Linear(double tau, double c0, double c1)
       scene.field = [&](space::vec3 position) { return Real(field(position.x)); };                 \
       scene.table = [&](Real value)                                                                \
       { return space::vec4(function.Exact->At(std::clamp<double>(value, 0.0, 1.0))); };            \
-      scene.prefixTable = [&](int index) { return function.Prefix->at(index); };                   \
+      scene.prefixTable = [&](int index) { return function.Prefix[index]; };                       \
       const space::vec3 along(1, 0, 0);                                                            \
       const space::Ray ray = { space::vec3(0), along, space::vec3(0), along, Real(0), Real(1),     \
         Real(1) };                                                                                 \

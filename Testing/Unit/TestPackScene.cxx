@@ -119,7 +119,7 @@ TEST(PackScene, TableCoordinatesHitTexelCentres)
   scene.Volume.Mapping = { 5.0, 10.0 }; // values 10 to 30
   scene.TransferFunction.Low = 15.0;
   scene.TransferFunction.High = 25.0;
-  scene.TransferFunction.Table.resize(100);
+  scene.TransferFunction.Table = std::vector<glm::vec4>(100);
   const SceneBlock64 block = PackScene(scene);
   const auto coordinate = [&](double value) {
     return scene.Volume.Mapping.Normalize(value) * block.classification.x + block.classification.y;
@@ -241,7 +241,7 @@ TEST(PackScene, ColourAndOpacityHaveCoordinatesOfTheirOwn)
   Scene scene = MakeScene(false);
   scene.Volume.Mapping = { 0.0, 1.0 };      // opacities: values 0 to 2
   scene.Volume.ColorMapping = { 0.0, 4e4 }; // colours: 0 to 80000
-  scene.TransferFunction.Table.resize(100);
+  scene.TransferFunction.Table = std::vector<glm::vec4>(100);
   scene.TransferFunction.Low = 0.5;
   scene.TransferFunction.High = 1.5;
   scene.TransferFunction.ColorLow = 1e4;

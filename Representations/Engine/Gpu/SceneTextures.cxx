@@ -211,19 +211,19 @@ void SceneTextures::UpdateTable(const TransferFunction& function)
   const auto width = static_cast<GLsizei>(function.Table.size());
   this->TableBytes +=
     UploadLine(this->Table, { GL_RGBA32F, GL_RGBA, GL_FLOAT }, width, function.Table.data(), true);
-  if (function.Prefix)
+  if (!function.Prefix.empty())
   {
     this->TableBytes += UploadLine(this->Prefix, { GL_RGBA32I, GL_RGBA_INTEGER, GL_INT },
-      static_cast<GLsizei>(function.Prefix->size()), function.Prefix->data(), false);
+      static_cast<GLsizei>(function.Prefix.size()), function.Prefix.data(), false);
   }
-  if (function.Segments)
+  if (!function.Segments.empty())
   {
     this->Segments.Bind(GL_TEXTURE_2D);
     this->Segments.SetSampling(true);
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, function.SegmentSize, function.SegmentSize, 0,
-      GL_RGBA, GL_FLOAT, function.Segments->data());
+      GL_RGBA, GL_FLOAT, function.Segments.data());
     this->Segments.Unbind();
-    this->TableBytes += function.Segments->size() * sizeof(glm::vec4);
+    this->TableBytes += function.Segments.size() * sizeof(glm::vec4);
   }
   if (!function.GradientTable.empty())
   {

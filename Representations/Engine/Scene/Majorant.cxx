@@ -15,16 +15,16 @@ constexpr double Rounding = 1.0e-4;
 // and have the value at the table's end. A cell of the prefix integrals has the same number.
 std::vector<float> IntervalMaxima(const TransferFunction& function)
 {
-  const std::vector<glm::vec4>& table = function.Table;
+  const SharedTable<glm::vec4>& table = function.Table;
   std::vector<float> maxima(table.size() + 1);
   for (std::size_t i = 0; i < maxima.size(); ++i)
   {
     const float before = table[i > 0 ? i - 1 : 0].w;
     const float after = table[std::min(i, table.size() - 1)].w;
     maxima[i] = std::max(before, after);
-    if (function.Prefix)
+    if (!function.Prefix.empty())
     {
-      const auto units = static_cast<double>((*function.Prefix)[i + 1].w) - (*function.Prefix)[i].w;
+      const auto units = static_cast<double>(function.Prefix[i + 1].w) - function.Prefix[i].w;
       maxima[i] = std::max(maxima[i], static_cast<float>(units * function.PrefixExtinctionUnit));
     }
   }
@@ -37,7 +37,7 @@ Majorant::Majorant(const Scene& scene)
   const TransferFunction& function = scene.TransferFunction;
   this->Low = scene.Volume.Mapping.Normalize(function.Low);
   this->Span = scene.Volume.Mapping.Normalize(function.High) - this->Low;
-  this->SegmentSteps = function.Segments ? function.SegmentSize - 1.0 : 0.0;
+  this->SegmentSteps = !function.Segments.empty() ? function.SegmentSize - 1.0 : 0.0;
   this->Steps = static_cast<double>(function.Table.size()) - 1.0;
   for (const glm::vec4& entry : function.Table)
   {

@@ -113,6 +113,6 @@ void BuildPrefixTable(TransferFunction& function)
     sum += means[i];
     prefix[i + 1] = glm::ivec4(glm::round(scale * sum));
   }
-  function.Prefix = std::make_shared<const std::vector<glm::ivec4>>(std::move(prefix));
+  function.Prefix = std::move(prefix);
 }
 }

@@ -2,6 +2,8 @@
 #ifndef volumebench_Scene_h
 #define volumebench_Scene_h
 
+#include "Scene/SharedTable.h"
+
 #include "vtkSmartPointer.h"
 
 #include "vtkDataArray.h"
@@ -98,7 +100,7 @@ struct Volume
 /// High, colours from ColorLow to ColorHigh, which differ when a component of its own gives them.
 struct TransferFunction
 {
-  std::vector<glm::vec4> Table;
+  SharedTable<glm::vec4> Table;
   double MaximumExtinction = 0.0;
   double Low = 0.0;
   double High = 1.0;
@@ -110,14 +112,14 @@ struct TransferFunction
   std::shared_ptr<const ExactTransferFunction> Exact;
 
   /// For PreIntegrated: SegmentSize x SegmentSize entries over (front, back) from Low to High; row
-  /// by row of back, as SegmentTable makes them. Null unless the scene needs it.
-  std::shared_ptr<const std::vector<glm::vec4>> Segments;
+  /// by row of back, as SegmentTable makes them. Empty unless the scene needs it.
+  SharedTable<glm::vec4> Segments;
   int SegmentSize = 0;
 
   /// For Segment: integrals of colour times extinction (xyz) and of extinction (w) up to each entry
   /// of the table, and to one more on either side, in whole units. The last bit of x marks entries
-  /// that Table is too coarse for. Null unless the scene needs it.
-  std::shared_ptr<const std::vector<glm::ivec4>> Prefix;
+  /// that Table is too coarse for. Empty unless the scene needs it.
+  SharedTable<glm::ivec4> Prefix;
   double PrefixColorUnit = 0.0;      // extinction times colour per unit and entry
   double PrefixExtinctionUnit = 0.0; // extinction per unit and entry
   bool OneColor = false;             // all that is seen has the same colour

@@ -79,14 +79,15 @@ void Fill(
 {
   const std::vector<double> opacity = functions.SampleOpacity(result.Low, result.High, size);
   const std::vector<double> color = functions.SampleColor(result.ColorLow, result.ColorHigh, size);
-  result.Table.resize(size);
+  std::vector<glm::vec4> table(size);
   for (int i = 0; i < size; ++i)
   {
     const double extinction = ExtinctionOfOpacity(opacity[i], unitDistance);
     const double* rgb = color.data() + std::ptrdiff_t(3) * i;
-    result.Table[i] = glm::vec4(rgb[0], rgb[1], rgb[2], extinction);
+    table[i] = glm::vec4(rgb[0], rgb[1], rgb[2], extinction);
     result.MaximumExtinction = std::max(result.MaximumExtinction, extinction);
   }
+  result.Table = std::move(table);
 }
 }
 
