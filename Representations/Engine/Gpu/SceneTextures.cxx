@@ -90,14 +90,22 @@ void CheckMemory(std::size_t bytes)
 
 void SceneTextures::Update(const Scene& scene, const FeatureSet& features)
 {
-  if (scene.Volume.Stamp != this->VolumeStamp || !this->Volume.IsCreated())
+  if (scene.Volume.TexelStamp != this->TexelStamp || !this->Volume.IsCreated())
   {
-    this->VolumeStamp = 0;
+    this->TexelStamp = 0;
     const Clock::time_point begin = Clock::now();
     this->UpdateVolume(scene.Volume);
     this->UpdateBlanking(scene.Volume);
     this->UploadMs = MillisecondsSince(begin);
-    this->VolumeStamp = scene.Volume.Stamp;
+    this->TexelStamp = scene.Volume.TexelStamp;
+    this->Nearest = scene.Volume.Nearest;
+  }
+  if (scene.Volume.Nearest != this->Nearest)
+  {
+    this->Volume.Bind(GL_TEXTURE_3D);
+    this->Volume.SetSampling(!scene.Volume.Nearest);
+    this->Volume.Unbind();
+    this->Nearest = scene.Volume.Nearest;
   }
   if (scene.TransferFunction.Stamp != this->TableStamp || !this->Table.IsCreated())
   {
@@ -278,7 +286,7 @@ void SceneTextures::Forget()
   {
     texture->Forget();
   }
-  this->VolumeStamp = this->TableStamp = this->CellStamp = 0;
+  this->TexelStamp = this->TableStamp = this->CellStamp = 0;
   this->VolumeBytes = this->TableBytes = this->BlankingBytes = this->CellBytes = 0;
 }
 }

@@ -48,7 +48,8 @@ private:
   GlTexture GradientOpacity;
   GlTexture Blanking;
   GlTexture Cells; // codes or extremes
-  ChangeStamp VolumeStamp = 0;
+  ChangeStamp TexelStamp = 0;
+  bool Nearest = false;
   ChangeStamp TableStamp = 0;
   ChangeStamp CellStamp = 0;
   std::size_t CellBytes = 0;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 namespace volumebench
 {
@@ -55,6 +56,22 @@ Majorant::Majorant(const Scene& scene)
     }
     this->Levels.push_back(std::move(next));
   }
+}
+
+ChangeStamp Majorant::StampOf(const TransferFunction& function)
+{
+  std::vector<float> extinctions = IntervalMaxima(function);
+  for (const glm::vec4& entry : function.Table)
+  {
+    extinctions.push_back(entry.w);
+  }
+  const auto* bytes = reinterpret_cast<const char*>(extinctions.data());
+  ChangeStamp stamp = 1;
+  ExtendStamp(stamp, std::string_view(bytes, extinctions.size() * sizeof(float)));
+  ExtendStamp(stamp, function.Low);
+  ExtendStamp(stamp, function.High);
+  ExtendStamp(stamp, function.SegmentSize);
+  return stamp;
 }
 
 float Majorant::MaximumOf(int first, int last) const

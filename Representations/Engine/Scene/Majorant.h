@@ -21,6 +21,9 @@ public:
   /// the table and its integrals give.
   float Of(float low, float high) const;
 
+  /// Equal for functions that have equal majorants.
+  static ChangeStamp StampOf(const TransferFunction& function);
+
 private:
   float MaximumOf(int first, int last) const;
 

@@ -92,6 +92,7 @@ struct Volume
   bool CellCentred = false;
   bool Nearest = false;
   ChangeStamp Stamp = 0;
+  ChangeStamp TexelStamp = 0; // of the texels alone, however they are filtered
 
   bool HasBlanks() const { return this->HasNonFinite || this->PointGhosts || this->CellGhosts; }
 };
@@ -130,6 +131,7 @@ struct TransferFunction
   double GradientLow = 0.0;
   double GradientHigh = 1.0;
   ChangeStamp Stamp = 0;
+  ChangeStamp ExtinctionStamp = 0; // of what the macrocells are judged by, which colours are not
 };
 
 struct Camera

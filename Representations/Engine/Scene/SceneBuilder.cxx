@@ -5,6 +5,7 @@
 #include "Scene/FromVtk.h"
 #include "Scene/KernelScene.h"
 #include "Scene/Features.h"
+#include "Scene/Majorant.h"
 #include "Scene/PrefixTable.h"
 #include "Scene/WorkGroup.h"
 #include "Scene/TransferFunctionTable.h"
@@ -236,6 +237,7 @@ void SceneBuilder::BuildFunction(vtkVolumeProperty* property, Scene& scene, int 
       ExtendStamp(this->Function.Stamp, length);
       ExtendStamp(this->Function.Stamp, perVoxel);
     }
+    this->Function.ExtinctionStamp = Majorant::StampOf(this->Function);
     this->FunctionStamp = stamp;
   }
   scene.TransferFunction = this->Function;
@@ -251,7 +253,7 @@ void SceneBuilder::BuildSkipping(Scene& scene)
   const int edge = scene.Sampling.MacrocellVoxels > 0 ? scene.Sampling.MacrocellVoxels
                                                       : SuitableMacrocellEdge(scene.Volume.Texels);
   const auto begin = std::chrono::steady_clock::now();
-  ChangeStamp gridStamp = scene.Volume.Stamp;
+  ChangeStamp gridStamp = scene.Volume.TexelStamp;
   ExtendStamp(gridStamp, edge);
   const bool newGrid = gridStamp != this->GridStamp;
   if (newGrid)
@@ -259,12 +261,12 @@ void SceneBuilder::BuildSkipping(Scene& scene)
     this->Grid = std::make_shared<MacrocellGrid>(BuildMacrocellGrid(scene.Volume, edge));
     this->GridStamp = gridStamp;
   }
+  const bool extreme = mode == BlendMode::Maximum || mode == BlendMode::Minimum;
   ChangeStamp stamp = gridStamp;
-  ExtendStamp(stamp, scene.TransferFunction.Stamp);
+  ExtendStamp(stamp, extreme ? 0 : scene.TransferFunction.ExtinctionStamp);
   ExtendStamp(stamp, mode);
   if (stamp != this->SkipsStamp)
   {
-    const bool extreme = mode == BlendMode::Maximum || mode == BlendMode::Minimum;
     CellMap cells =
       extreme ? MapExtremes(*this->Grid, scene) : MapOccupiedCells(*this->Grid, scene);
     cells.Stamp = stamp;

@@ -173,6 +173,7 @@ Volume VolumeBuilder::Build(vtkImageData* image, const ArrayRequest& request,
   {
     ExtendStamp(volume.Stamp, volume.Texels[axis]);
   }
+  volume.TexelStamp = volume.Stamp;
   ExtendStamp(volume.Stamp, nearest);
   return volume;
 }
