@@ -1,6 +1,7 @@
 // What is sent to the device between two pictures: only what has changed.
 #include "EveryTechnique.h"
 #include "SentData.h"
+#include "Techniques/Technique.h"
 
 #include <memory>
 
@@ -127,6 +128,23 @@ TEST_P(Uploads, DataSendTheVolumeAndTheMacrocells)
     this->Image->GetPointData()->GetScalars()->Modified();
   };
   EXPECT_EQ(this->After(edit), WithBlock(0, CellMaps(), 1));
+}
+
+TEST_P(Uploads, TheDeviceHoldsLittleMoreThanTheVolume)
+{
+  // 16 bits to a voxel for types of 8 and 16 bits, 32 for the others.
+  for (const auto& [type, bytes] :
+    { std::pair{ VTK_UNSIGNED_CHAR, 2 }, { VTK_SHORT, 2 }, { VTK_FLOAT, 4 } })
+  {
+    constexpr int Edge = 128;
+    RenderScene scene(GetParam(), MakeImage(Edge, Edge, Edge, Half, type), this->Property);
+    scene.Window->Render();
+    const auto onDevice = static_cast<double>(scene.Mapper->GetSetUpCosts().BytesOnDevice);
+    const double volume = static_cast<double>(bytes) * Edge * Edge * Edge;
+    const double pictures = 4.0 * 16.0 * RenderScene::Size * RenderScene::Size;
+    EXPECT_GE(onDevice, volume);
+    EXPECT_LE(onDevice, 1.15 * volume + (GetParam() == "single-pass" ? 0.0 : pictures));
+  }
 }
 
 VOLUMEBENCH_FOR_EVERY_TECHNIQUE(Uploads);
