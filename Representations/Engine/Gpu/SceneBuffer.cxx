@@ -15,7 +15,8 @@ constexpr GLsizei ViewportVertices = 3;
 
 void SceneBuffer::Bind(const Scene& scene)
 {
-  const SceneBlock block = RoundToFloat(PackScene(scene));
+  this->Numbers = PackScene(scene);
+  const SceneBlock block = RoundToFloat(this->Numbers);
   if (!this->Block)
   {
     glGenBuffers(1, &this->Block);

@@ -3,6 +3,8 @@
 #ifndef volumebench_SceneBuffer_h
 #define volumebench_SceneBuffer_h
 
+#include "Scene/KernelScene.h"
+
 namespace volumebench
 {
 struct Scene;
@@ -14,6 +16,9 @@ public:
   void Bind(const Scene& scene);
   static void Unbind();
 
+  /// The numbers that were bound last, before they were rounded.
+  const SceneBlock64& GetNumbers() const { return this->Numbers; }
+
   /// One triangle over the viewport.
   void DrawViewport() const;
   /// The twelve triangles of the box.
@@ -23,6 +28,7 @@ public:
   void Forget();
 
 private:
+  SceneBlock64 Numbers = {};
   unsigned int Block = 0;
   unsigned int VertexArray = 0; // empty
 };

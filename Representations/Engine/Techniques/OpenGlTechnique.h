@@ -80,6 +80,9 @@ protected:
   static void BlendOver(vtkOpenGLRenderWindow* window);
   static void BlendOff(vtkOpenGLRenderWindow* window);
 
+  /// The scene's numbers while it is drawn, as PackScene gives them.
+  const SceneBlock64& GetNumbers() const { return this->Numbers.GetNumbers(); }
+
   FrameStages& GetFrameStages() { return this->Stages; }
 
   /// The depth of opaque geometry, of this frame if the features ask for it.

@@ -2,8 +2,6 @@
 
 #include "Scene/Features.h"
 
-#include "Scene/PackScene.h"
-
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
@@ -143,9 +141,8 @@ bool SliceView::operator==(const SliceView& other) const
     this->Slabs.Count == other.Slabs.Count;
 }
 
-SliceView MakeSliceView(const Scene& scene, const glm::ivec4& rectangle)
+SliceView MakeSliceView(const Scene& scene, const SceneBlock64& block, const glm::ivec4& rectangle)
 {
-  const SceneBlock64 block = PackScene(scene);
   SliceView view;
   view.VoxelToClip =
     scene.Camera.ViewToClip * (scene.Camera.WorldToView * scene.Volume.VoxelToWorld);

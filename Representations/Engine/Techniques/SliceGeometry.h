@@ -8,6 +8,7 @@
 
 #include "VolumeBenchEngineModule.h"
 
+#include "Scene/KernelScene.h"
 #include "Scene/Scene.h"
 
 #include <vector>
@@ -57,10 +58,11 @@ struct SliceView
   bool operator==(const SliceView& other) const;
 };
 
-/// The slabs of a scene and what else its polygons depend on. No slab is thicker, along any ray of
-/// the picture, than the scene's step. Throws SceneError when there would be more slabs than
-/// MostSlabs.
-VOLUMEBENCHENGINE_EXPORT SliceView MakeSliceView(const Scene& scene, const glm::ivec4& rectangle);
+/// The slabs of a scene, packed into `block`, and what else its polygons depend on. No slab is
+/// thicker, along any ray of the picture, than the scene's step. Throws SceneError when there would
+/// be more slabs than MostSlabs.
+VOLUMEBENCHENGINE_EXPORT SliceView MakeSliceView(
+  const Scene& scene, const SceneBlock64& block, const glm::ivec4& rectangle);
 
 constexpr int MostSlabs = 4000000;
 

@@ -268,7 +268,7 @@ void Slices::DrawSlabs(const Scene& scene, vtkOpenGLRenderWindow* window)
   const glm::ivec4& viewport = scene.Camera.Viewport;
   TileView view;
   // The spacing is that of the whole box, so that leaving parts out moves no sample.
-  view.Slices = MakeSliceView(scene, rectangle);
+  view.Slices = MakeSliceView(scene, this->GetNumbers(), rectangle);
   view.Cells = this->LeavesTilesOut() ? scene.Skipping.Cells->Stamp : 0;
   view.MovedSlabs = MovesBorders(this->GetFeatures()) ? 1 : 0;
   view.Viewport = viewport;
