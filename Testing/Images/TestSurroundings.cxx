@@ -92,6 +92,12 @@ TEST_P(Surroundings, MultisampledDepthIsResolved)
 TEST_P(Surroundings, DepthIsLeftOutWithoutOpaqueGeometry)
 {
   RenderScene scene(GetParam(), MakeImage(9, 9, 9, Zero), MakeConstantProperty(Tau));
+  vtkNew<vtkPolyDataMapper> nothing; // as ParaView has it for selections that are empty
+  vtkNew<vtkPolyData> empty;
+  nothing->SetInputData(empty);
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(nothing);
+  scene.Renderer->AddActor(actor);
   scene.Picture();
   EXPECT_NE(scene.Mapper->GetLeftOut().find("opaque-depth"), std::string::npos);
 }

@@ -6,6 +6,7 @@
 #include "vtkCamera.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
+#include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkPropCollection.h"
 #include "vtkRenderer.h"
@@ -95,8 +96,12 @@ bool HasOpaqueGeometry(vtkRenderer* renderer)
   props->InitTraversal(cursor);
   while (vtkProp* prop = props->GetNextProp(cursor))
   {
-    // A prop that does not say otherwise claims to be opaque; volumes do not say.
-    if (prop->GetVisibility() && !vtkVolume::SafeDownCast(prop) && prop->HasOpaqueGeometry())
+    // A prop that does not say otherwise claims to be opaque; volumes do not say, nor do actors
+    // without any geometry, as ParaView has them in each view.
+    const double* bounds = prop->GetVisibility() ? prop->GetBounds() : nullptr;
+    const bool nothing = bounds && !vtkMath::AreBoundsInitialized(bounds);
+    if (prop->GetVisibility() && !nothing && !vtkVolume::SafeDownCast(prop) &&
+      prop->HasOpaqueGeometry())
     {
       return true;
     }
