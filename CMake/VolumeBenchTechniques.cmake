@@ -73,7 +73,8 @@ function(volumebench_generate_technique_table template source_variable)
   set("${source_variable}" "${source}" PARENT_SCOPE)
 endfunction()
 
-# Writes a server-manager XML file of the plugin from its template and the rows.
+# Writes a server-manager XML file of the plugin from its template and the rows; @NAME@ in it stands
+# for the text of each further argument NAME=FILE.
 function(volumebench_generate_xml template xml_variable)
   set(REPRESENTATION_TYPES "")
   set(REPRESENTATION_DECORATORS "")
@@ -90,6 +91,11 @@ function(volumebench_generate_xml template xml_variable)
     volumebench_shown_for("${setting}" "SHOWN_FOR_${setting}")
   endforeach()
   list(JOIN volumebench_technique_ids ", " TECHNIQUE_IDS)
+  foreach(part IN LISTS ARGN)
+    string(REGEX MATCH "^([A-Z_]+)=(.+)$" matched "${part}")
+    configure_file("${CMAKE_MATCH_2}" "${CMAKE_CURRENT_BINARY_DIR}/${CMAKE_MATCH_1}.xml" @ONLY)
+    file(READ "${CMAKE_CURRENT_BINARY_DIR}/${CMAKE_MATCH_1}.xml" "${CMAKE_MATCH_1}")
+  endforeach()
   get_filename_component(name "${template}" NAME_WLE)
   set(xml "${CMAKE_CURRENT_BINARY_DIR}/${name}")
   configure_file("${template}" "${xml}" @ONLY)

@@ -2,6 +2,7 @@
 
 #include "Gpu/GlContextGuard.h"
 #include "Scene/CameraBuilder.h"
+#include "Scene/FrameRate.h"
 #include "Scene/FromVtk.h"
 #include "Scene/PictureStamp.h"
 #include "Techniques/TechniqueTable.h"
@@ -15,6 +16,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <limits>
 
 namespace volumebench
 {
@@ -73,6 +76,7 @@ void VolumePainter::ReleaseGpu()
   this->Window ? this->Selection.Release() : this->Selection.Forget();
   this->Window ? this->Offscreen.Release() : this->Offscreen.Forget();
   this->Window ? this->Depth.Release() : this->Depth.Forget();
+  this->Window ? this->Timer.Release() : this->Timer.Forget();
   for (const std::unique_ptr<Part>& part : this->Parts)
   {
     if (this->Window)
@@ -199,11 +203,24 @@ void VolumePainter::Draw(vtkVolumeBenchMapper* mapper, vtkRenderer* renderer, vt
 {
   this->UseTechnique(mapper->GetTechnique());
   this->UseWindow(renderer);
+  const bool timed = mapper->GetTimeFrames() && !WantsInteractiveFrames(this->Window);
+  if (timed)
+  {
+    this->Timer.Start();
+  }
   const std::vector<PartScene> scenes =
     this->ScenesBackToFront(mapper, renderer, volume, ReadGlViewport(this->Window));
   // All blocks are ready before the first is drawn, so that a failure leaves no part of a picture.
   this->PrepareAll(scenes);
   this->RenderAll(scenes, mapper);
+  for (const PartScene& scene : scenes)
+  {
+    scene.Drawn->LeftOut = FeaturesLeftOut(scene.Scene, scene.Drawn->Technique->GetFeatures());
+  }
+  if (timed)
+  {
+    this->Timer.Stop();
+  }
 }
 
 void VolumePainter::Mark(
@@ -289,6 +306,29 @@ FeatureSet VolumePainter::GetFeatures() const
     features |= part->Technique->GetFeatures();
   }
   return features;
+}
+
+std::vector<LeftOutFeature> VolumePainter::GetLeftOut() const
+{
+  const FeatureSet used = this->GetFeatures();
+  std::vector<LeftOutFeature> leftOut;
+  if (this->HasDrawn())
+  {
+    const std::vector<LeftOutFeature>& first = this->Parts.front()->LeftOut;
+    std::copy_if(first.begin(), first.end(), std::back_inserter(leftOut),
+      [&used](const LeftOutFeature& feature) { return !Has(used, feature.Bit); });
+  }
+  return leftOut;
+}
+
+double VolumePainter::GetFrameMs()
+{
+  if (!this->Window)
+  {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+  this->Window->MakeCurrent();
+  return this->Timer.ElapsedMs();
 }
 
 SetUpCosts VolumePainter::GetSetUpCosts() const

@@ -2,9 +2,11 @@
 #ifndef volumebench_VolumePainter_h
 #define volumebench_VolumePainter_h
 
+#include "Gpu/GlTimer.h"
 #include "Gpu/OffscreenPicture.h"
 #include "Gpu/SelectionMask.h"
 #include "Scene/Blocks.h"
+#include "Scene/FeatureWords.h"
 #include "Scene/SceneBuilder.h"
 #include "Techniques/Technique.h"
 
@@ -55,7 +57,13 @@ public:
   FeatureSet GetFeatures() const;
   SetUpCosts GetSetUpCosts() const;
   std::vector<StageTime> GetStages() const;
+  /// Features that no block used, and why the first did not.
+  std::vector<LeftOutFeature> GetLeftOut() const;
   ///@}
+
+  /// From the beginning of the last still picture drawn with the mapper's TimeFrames on until the
+  /// device was done with it; NaN when there is none. Waits for the device.
+  double GetFrameMs();
 
 private:
   struct Part
@@ -63,6 +71,7 @@ private:
     SceneBuilder Builder;
     std::unique_ptr<volumebench::Technique> Technique;
     std::string Name; // of the block, for messages
+    std::vector<LeftOutFeature> LeftOut;
   };
 
   struct PartScene
@@ -83,6 +92,7 @@ private:
   std::vector<std::unique_ptr<Part>> Parts; // one for each block
   OffscreenPicture Offscreen;
   SelectionMask Selection;
+  GlTimer Timer;
   OpaqueDepth Depth;                            // that a stamp is of
   vtkWeakPointer<vtkOpenGLRenderWindow> Window; // whose context holds the GPU objects
 };

@@ -26,6 +26,7 @@ struct vtkVolumeBenchMapper::Internals
   std::string Failure;
   bool Unsupported = false;
 
+  bool HasPicture() const { return this->Failure.empty() && this->Painter.HasDrawn(); }
   void DrawOrMark(vtkVolumeBenchMapper* mapper, vtkRenderer* renderer, vtkVolume* volume);
 };
 
@@ -157,6 +158,24 @@ std::string vtkVolumeBenchMapper::GetLeftOut() const
                             : std::string();
 }
 
+std::string vtkVolumeBenchMapper::GetUsedText() const
+{
+  const volumebench::VolumePainter& painter = this->Internal->Painter;
+  return this->Internal->HasPicture() ? volumebench::LabelsOf(painter.GetFeatures())
+                                      : std::string();
+}
+
+std::string vtkVolumeBenchMapper::GetLeftOutText() const
+{
+  const volumebench::VolumePainter& painter = this->Internal->Painter;
+  return this->Internal->HasPicture() ? volumebench::LabelsOf(painter.GetLeftOut()) : std::string();
+}
+
+double vtkVolumeBenchMapper::GetFrameMs() const
+{
+  return this->Internal->HasPicture() ? this->Internal->Painter.GetFrameMs() : vtkMath::Nan();
+}
+
 volumebench::SetUpCosts vtkVolumeBenchMapper::GetSetUpCosts() const
 {
   return this->Internal->Painter.GetSetUpCosts();
@@ -233,6 +252,7 @@ void vtkVolumeBenchMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "LightingDamping: " << this->LightingDamping << "\n";
   os << indent << "CountSamples: " << this->CountSamples << "\n";
   os << indent << "TimeStages: " << this->TimeStages << "\n";
+  os << indent << "TimeFrames: " << this->TimeFrames << "\n";
   os << indent << "VectorMode: " << this->VectorMode << "\n";
   os << indent << "VectorComponent: " << this->VectorComponent << "\n";
   os << indent << "Failure: " << this->Internal->Failure << "\n";

@@ -240,6 +240,16 @@ public:
   vtkBooleanMacro(TimeStages, bool);
   ///@}
 
+  ///@{
+  /**
+   * For showing: keeps the time of the last still picture, for GetFrameMs. A software
+   * renderer has to finish what comes before and after the frame. Default off.
+   */
+  vtkSetMacro(TimeFrames, bool);
+  vtkGetMacro(TimeFrames, bool);
+  vtkBooleanMacro(TimeFrames, bool);
+  ///@}
+
   void Render(vtkRenderer* renderer, vtkVolume* volume) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
@@ -269,6 +279,20 @@ public:
    */
   std::string GetFeatures() const;
   std::string GetLeftOut() const;
+
+  /**
+   * The same two in plain words, separated by commas, with the reason after what was left out;
+   * empty when the last render drew nothing.
+   */
+  std::string GetUsedText() const;
+  std::string GetLeftOutText() const;
+
+  /**
+   * From the beginning of the last still picture that was drawn with TimeFrames on until the device
+   * was done with it, in milliseconds, uploads and compilation included; NaN when there is none or
+   * the last render drew nothing.
+   */
+  double GetFrameMs() const;
 
   /**
    * What the technique spent on uploads and compilation, and its bytes on the device.
@@ -320,6 +344,7 @@ protected:
   double LightingDamping = 0.0;
   bool CountSamples = false;
   bool TimeStages = false;
+  bool TimeFrames = false;
   int VectorMode = Component;
   int VectorComponent = 0;
 

@@ -2,8 +2,9 @@
  * @class   vtkSMVolumeBenchRepresentationProxy
  * @brief   the client's side of vtkVolumeBenchRepresentation
  *
- * After each still picture of its view it fetches what the representation knows of the picture's
- * error: ParaView itself reads such properties once, when it makes the panel.
+ * After each still picture of its view it fetches what the representation knows of the picture:
+ * ParaView itself reads such properties once, when it makes the panel. What the picture used, left
+ * out and took is known where it was drawn, so that is asked of the server when the server drew.
  */
 #ifndef vtkSMVolumeBenchRepresentationProxy_h
 #define vtkSMVolumeBenchRepresentationProxy_h
@@ -26,11 +27,14 @@ protected:
   vtkSMVolumeBenchRepresentationProxy();
   ~vtkSMVolumeBenchRepresentationProxy() override;
 
+  void UpdatePropertyInformationInternal(vtkSMProperty* property) override;
+
 private:
   vtkSMVolumeBenchRepresentationProxy(const vtkSMVolumeBenchRepresentationProxy&) = delete;
   void operator=(const vtkSMVolumeBenchRepresentationProxy&) = delete;
 
   void Follow(vtkSMProxy* view);
+  bool IsDrawnByServer();
   void OnRendered(vtkObject* view, unsigned long event, void* interactive);
 
   vtkWeakPointer<vtkSMProxy> Followed; // the view that is observed

@@ -39,6 +39,7 @@ constexpr double AutomaticGradientShare = 0.1;
 vtkVolumeBenchRepresentation::vtkVolumeBenchRepresentation()
 {
   this->VolumeMapper.TakeReference(vtkVolumeBenchMapper::New());
+  this->GetMapper()->TimeFramesOn();
 }
 
 vtkVolumeBenchRepresentation::~vtkVolumeBenchRepresentation() = default;

@@ -100,6 +100,16 @@ public:
   const char* GetErrorText();
   ///@}
 
+  ///@{
+  /**
+   * What the last still picture used and left out, and its time: vtkVolumeBenchMapper's, of this
+   * process. Empty and NaN unless it drew the volume.
+   */
+  const char* GetUsedText();
+  const char* GetLeftOutText();
+  double GetLastFrameMs();
+  ///@}
+
   void SetVisibility(bool visible) override;
   int ProcessViewRequest(
     vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo) override;
@@ -129,6 +139,7 @@ private:
   void ForwardGradientOpacity(vtkVolumeProperty* property);
   vtkVolumeBenchMapper* GetMapper();
   volumebench::ErrorEstimate GetErrorEstimate();
+  bool IsDrawn();
 
   int TechniqueBlendMode = 0;
   bool GradientOpacity = false;
@@ -139,9 +150,11 @@ private:
   vtkDataObject* RampedData = nullptr;       // whose range the default ramp spans; never read
   vtkMTimeType RampTime = 0;
   volumebench::RankBoxes Ranks;
-  std::string Failure;                  // said once, not at every render
-  std::string ErrorRefusal;             // why no error can be estimated
-  std::string ErrorText;                // lives as long as who asked for it needs
+  std::string Failure;      // said once, not at every render
+  std::string ErrorRefusal; // why no error can be estimated
+  std::string ErrorText;    // these live as long as who asked for them needs
+  std::string UsedText;
+  std::string LeftOutText;
   vtkWeakPointer<vtkRenderer> Unpeeled; // whose volume peeling was on and is off for us
 };
 

@@ -1,4 +1,4 @@
-#include "Scene/Features.h"
+#include "Scene/FeatureWords.h"
 
 #include <gtest/gtest.h>
 
@@ -22,6 +22,57 @@ TEST(Features, TableFollowsTheEnumeration)
   }
   EXPECT_EQ(names.size(), rows.size());
   EXPECT_EQ(defines.size(), rows.size());
+}
+
+TEST(Features, HavePlainWordsThatAreToldApart)
+{
+  std::set<std::string> labels;
+  for (const FeatureRow& row : FeatureTable())
+  {
+    labels.insert(row.Label);
+    for (const std::string& words : { std::string(row.Label), std::string(row.WhyLeftOut) })
+    {
+      EXPECT_FALSE(words.empty()) << row.Name;
+      EXPECT_EQ(words.find_first_of("(),"), std::string::npos) << words << " would not read well";
+    }
+  }
+  EXPECT_EQ(labels.size(), FeatureTable().size());
+}
+
+TEST(Features, ThoseLeftOutSayWhatTheSceneLacksOrThatTheTechniqueCannot)
+{
+  Scene scene;
+  scene.Sampling.Integration = Integrator::Left;
+  scene.Sampling.SetUp = RaySetUp::Rasterised;
+  scene.Lighting.Enabled = true;
+  FeatureSet used;
+  used.set(static_cast<std::size_t>(Feature::Lighting));
+  const auto whyOf = [&](Feature feature)
+  {
+    for (const LeftOutFeature& row : FeaturesLeftOut(scene, used))
+    {
+      if (row.Bit == feature)
+      {
+        return std::string(row.Why);
+      }
+    }
+    return std::string("used");
+  };
+  EXPECT_EQ(whyOf(Feature::Lighting), "used");
+  EXPECT_EQ(whyOf(Feature::RasterisedSetUp), "not in this technique");
+  EXPECT_EQ(whyOf(Feature::ClipPlanes), "none");
+  EXPECT_EQ(whyOf(Feature::Termination), "off");
+  scene.Sampling.TerminationThreshold = 0.01;
+  EXPECT_EQ(whyOf(Feature::Termination), "no ray is deep enough to stop early");
+  scene.Compositing.Mode = BlendMode::Average;
+  EXPECT_EQ(whyOf(Feature::Termination), "Average needs every sample");
+  used.reset();
+  EXPECT_EQ(whyOf(Feature::Lighting), "no effect in this blend mode");
+  scene.Lighting.Enabled = false;
+  EXPECT_EQ(whyOf(Feature::Lighting), "off");
+  EXPECT_EQ(LabelsOf(FeatureSet().set(static_cast<std::size_t>(Feature::Crop))), "crop box");
+  EXPECT_EQ(LabelsOf({ { Feature::Crop, "off" }, { Feature::Jitter, "off" } }),
+    "crop box (off), jitter (off)");
 }
 
 TEST(Features, PlainSceneNeedsOnlyWhatItUses)

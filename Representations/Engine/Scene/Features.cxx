@@ -75,42 +75,97 @@ bool CanStop(const Scene& s)
     -std::log(s.Sampling.TerminationThreshold);
 }
 
+// Why what only Composite and Gradient have is left out, given whether it is switched on.
+const char* OffOrProjecting(bool on)
+{
+  return on ? "no effect in this blend mode" : "off";
+}
+
+const char* WhyNoEarlyEnd(const Scene& s)
+{
+  if (s.Sampling.TerminationThreshold <= 0.0)
+  {
+    return "off";
+  }
+  return HasMode(s, BlendMode::Average) ? "Average needs every sample"
+                                        : "no ray is deep enough to stop early";
+}
+
+// Null where skipping is at work.
+const char* WhyNoSkipping(const Scene& s)
+{
+  if (!s.Sampling.SkipsEmptySpace)
+  {
+    return "off";
+  }
+  return s.Skipping.Cells ? nullptr : "Average needs every sample";
+}
+
+const char* WhyNoEmptyCells(const Scene& s)
+{
+  const char* why = WhyNoSkipping(s);
+  if (why)
+  {
+    return why;
+  }
+  return s.Skipping.Cells->OccupiedShare < 1.0 ? "too little is empty" : "nothing is empty";
+}
+
+const char* WhyNoEmptyMargin(const Scene& s)
+{
+  const char* why = WhyNoSkipping(s);
+  return why ? why : "it is the whole volume";
+}
+
+const char* WhyNotIntegrator(const Scene& s, Integrator integrator)
+{
+  return s.Sampling.Integration == integrator ? "no effect in this blend mode" : "not chosen";
+}
+
 std::vector<FeatureRow> SamplingRows()
 {
   return {
-    { Feature::Midpoint, "midpoint", "WITH_MIDPOINT", "the integrator is Left",
+    { Feature::Midpoint, "midpoint", "WITH_MIDPOINT", "samples in the middle of steps",
+      "the integrator is Left",
       [](const Scene& s) { return s.Sampling.Integration != Integrator::Left; } },
-    { Feature::Segment, "segment", "WITH_SEGMENT", "the integrator or the blend mode is another",
+    { Feature::Segment, "segment", "WITH_SEGMENT", "integrator Segment", "not chosen",
+      [](const Scene& s) { return s.Sampling.Integration == Integrator::Segment && Composites(s); },
+      [](const Scene& s) { return WhyNotIntegrator(s, Integrator::Segment); } },
+    { Feature::StiffSteps, "stiff-steps", "WITH_STIFF_STEPS", "order of colours within a step",
+      "the integrator is not Segment", HasStiffSteps,
       [](const Scene& s)
-      { return s.Sampling.Integration == Integrator::Segment && Composites(s); } },
-    { Feature::StiffSteps, "stiff-steps", "WITH_STIFF_STEPS",
-      "the integrator is not Segment or each of its steps is thin", HasStiffSteps },
-    { Feature::PreIntegrated, "pre-integrated", "WITH_PREINTEGRATED",
-      "the integrator or the blend mode is another",
+      {
+        return s.Sampling.Integration == Integrator::Segment && Composites(s)
+          ? "every step is thin"
+          : "the integrator is not Segment";
+      } },
+    { Feature::PreIntegrated, "pre-integrated", "WITH_PREINTEGRATED", "integrator PreIntegrated",
+      "not chosen",
       [](const Scene& s)
-      { return s.Sampling.Integration == Integrator::PreIntegrated && Composites(s); } },
-    { Feature::Jitter, "jitter", "WITH_JITTER", "jitter is off or the technique has no steps",
+      { return s.Sampling.Integration == Integrator::PreIntegrated && Composites(s); },
+      [](const Scene& s) { return WhyNotIntegrator(s, Integrator::PreIntegrated); } },
+    { Feature::Jitter, "jitter", "WITH_JITTER", "jitter", "off",
       [](const Scene& s) { return s.Sampling.Jitter; } },
-    { Feature::Termination, "termination", "WITH_TERMINATION",
-      "the threshold is 0 or no ray can reach it",
-      [](const Scene& s) { return s.Sampling.TerminationThreshold > 0.0 && CanStop(s); } },
-    { Feature::Compensation, "compensation", "WITH_COMPENSATION",
-      "no ray has so many steps that rounding shows", HasLongRays },
+    { Feature::Termination, "termination", "WITH_TERMINATION", "early ray termination", "off",
+      [](const Scene& s) { return s.Sampling.TerminationThreshold > 0.0 && CanStop(s); },
+      WhyNoEarlyEnd },
+    { Feature::Compensation, "compensation", "WITH_COMPENSATION", "compensation of rounding",
+      "no ray has enough steps for it", HasLongRays },
   };
 }
 
 std::vector<FeatureRow> ClipRows()
 {
   return {
-    { Feature::OpaqueDepth, "opaque-depth", "WITH_OPAQUE_DEPTH", "there is no opaque geometry",
+    { Feature::OpaqueDepth, "opaque-depth", "WITH_OPAQUE_DEPTH", "opaque geometry", "none",
       [](const Scene& s) { return s.Clip.OpaqueGeometry; } },
-    { Feature::Crop, "crop", "WITH_CROP", "cropping to a box is off",
+    { Feature::Crop, "crop", "WITH_CROP", "crop box", "off",
       [](const Scene& s) { return s.Clip.Crop; } },
-    { Feature::CropRegions, "crop-regions", "WITH_CROP_REGIONS", "cropping by regions is off",
+    { Feature::CropRegions, "crop-regions", "WITH_CROP_REGIONS", "crop regions", "off",
       [](const Scene& s) { return s.Clip.CropRegionFlags != 0; } },
-    { Feature::ClipPlanes, "clip-planes", "WITH_CLIP_PLANES", "there are no clip planes",
+    { Feature::ClipPlanes, "clip-planes", "WITH_CLIP_PLANES", "clip planes", "none",
       [](const Scene& s) { return !s.Clip.Planes.empty(); } },
-    { Feature::Blanking, "blanking", "WITH_BLANKING", "all voxels are finite and none is hidden",
+    { Feature::Blanking, "blanking", "WITH_BLANKING", "hidden or NaN voxels", "none",
       [](const Scene& s) { return s.Volume.HasBlanks(); } },
   };
 }
@@ -118,15 +173,17 @@ std::vector<FeatureRow> ClipRows()
 std::vector<FeatureRow> AppearanceRows()
 {
   return {
-    { Feature::Lighting, "lighting", "WITH_LIGHTING", "shading is off or does not apply",
-      [](const Scene& s) { return s.Lighting.Enabled && Composites(s); } },
-    { Feature::GradientOpacity, "gradient-opacity", "WITH_GRADIENT_OPACITY",
-      "there is no gradient opacity or it does not apply",
-      [](const Scene& s) { return !s.TransferFunction.GradientTable.empty() && Composites(s); } },
+    { Feature::Lighting, "lighting", "WITH_LIGHTING", "shading", "off",
+      [](const Scene& s) { return s.Lighting.Enabled && Composites(s); },
+      [](const Scene& s) { return OffOrProjecting(s.Lighting.Enabled); } },
+    { Feature::GradientOpacity, "gradient-opacity", "WITH_GRADIENT_OPACITY", "gradient opacity",
+      "off",
+      [](const Scene& s) { return !s.TransferFunction.GradientTable.empty() && Composites(s); },
+      [](const Scene& s) { return OffOrProjecting(!s.TransferFunction.GradientTable.empty()); } },
     { Feature::OpacityChannel, "opacity-channel", "WITH_OPACITY_CHANNEL",
-      "there are not two dependent components",
+      "opacity by a component of its own", "there are not two dependent components",
       [](const Scene& s) { return s.Volume.Channels == 2; } },
-    { Feature::DirectColor, "direct-color", "WITH_DIRECT_COLOR",
+    { Feature::DirectColor, "direct-color", "WITH_DIRECT_COLOR", "colours in the data",
       "there are not four dependent components",
       [](const Scene& s) { return s.Volume.Channels == 4; } },
   };
@@ -135,18 +192,18 @@ std::vector<FeatureRow> AppearanceRows()
 std::vector<FeatureRow> BlendRows()
 {
   return {
-    { Feature::MaximumBlend, "maximum", "WITH_MAXIMUM_BLEND", "the blend mode is another",
+    { Feature::MaximumBlend, "maximum", "WITH_MAXIMUM_BLEND", "blend mode Maximum", "not chosen",
       [](const Scene& s) { return HasMode(s, BlendMode::Maximum); } },
-    { Feature::MinimumBlend, "minimum", "WITH_MINIMUM_BLEND", "the blend mode is another",
+    { Feature::MinimumBlend, "minimum", "WITH_MINIMUM_BLEND", "blend mode Minimum", "not chosen",
       [](const Scene& s) { return HasMode(s, BlendMode::Minimum); } },
-    { Feature::AverageBlend, "average", "WITH_AVERAGE_BLEND", "the blend mode is another",
+    { Feature::AverageBlend, "average", "WITH_AVERAGE_BLEND", "blend mode Average", "not chosen",
       [](const Scene& s) { return HasMode(s, BlendMode::Average); } },
-    { Feature::GradientBlend, "gradient", "WITH_GRADIENT_BLEND", "the blend mode is another",
-      [](const Scene& s) { return HasMode(s, BlendMode::Gradient); } },
-    { Feature::SampleCount, "sample-count", "WITH_SAMPLE_COUNT", "the picture is drawn",
-      [](const Scene& s) { return s.Measurement.CountSamples; } },
+    { Feature::GradientBlend, "gradient", "WITH_GRADIENT_BLEND", "blend mode Gradient",
+      "not chosen", [](const Scene& s) { return HasMode(s, BlendMode::Gradient); } },
+    { Feature::SampleCount, "sample-count", "WITH_SAMPLE_COUNT", "sample count",
+      "the picture is drawn", [](const Scene& s) { return s.Measurement.CountSamples; } },
     { Feature::RasterisedSetUp, "rasterised-set-up", "WITH_RASTERISED_SETUP",
-      "the ray set-up is Box",
+      "rasterised ray set-up", "Ray Set-up is Box",
       [](const Scene& s) { return s.Sampling.SetUp == RaySetUp::Rasterised; } },
   };
 }
@@ -154,10 +211,10 @@ std::vector<FeatureRow> BlendRows()
 std::vector<FeatureRow> SkippingRows()
 {
   return {
-    { Feature::TightBox, "tight-box", "WITH_TIGHT_BOX",
-      "what can be seen reaches to all sides of the box, or skipping is off", HasEmptyMargin },
-    { Feature::Skipping, "skipping", "WITH_SKIPPING",
-      "skipping is off, does not apply or finds too little that is empty", HasEmptyCells },
+    { Feature::TightBox, "tight-box", "WITH_TIGHT_BOX", "box round what can be seen", "off",
+      HasEmptyMargin, WhyNoEmptyMargin },
+    { Feature::Skipping, "skipping", "WITH_SKIPPING", "empty space skipping", "off", HasEmptyCells,
+      WhyNoEmptyCells },
   };
 }
 }

@@ -48,10 +48,12 @@ using FeatureSet = std::bitset<static_cast<std::size_t>(Feature::Count)>;
 struct FeatureRow
 {
   Feature Bit;
-  const char* Name;       // as printed in results and in the panel
+  const char* Name;       // as printed in results
   const char* Define;     // WITH_..., set to 0 or 1 in front of every kernel
-  const char* WhyLeftOut; // said when the scene does not need it
+  const char* Label;      // in plain words, as the panel says it
+  const char* WhyLeftOut; // said after the label when the scene does not need it
   bool (*Needed)(const Scene&);
+  const char* (*Cause)(const Scene&) = nullptr; // which says it where there is more than one
 };
 
 /// All rows, in the order of the enumeration.
