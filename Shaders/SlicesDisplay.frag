@@ -9,7 +9,9 @@ out vec4 fragmentColor;
 void main()
 {
   vec4 gathered = texelFetch(slicesTexture, ivec2(gl_FragCoord.xy - scene.rectangle.xy), 0);
-#if WITH_SAMPLE_COUNT
+#if WITH_SAMPLE_VIEW
+  fragmentColor = sampleColor(gathered.x);
+#elif WITH_SAMPLE_COUNT
   fragmentColor = gathered;
 #else
   fragmentColor = finishRay(gathered);

@@ -55,6 +55,11 @@ void RefuseBlendingOfBlocks(vtkVolumeBenchMapper* mapper, std::size_t blocks)
     throw SceneError("the input has " + std::to_string(blocks) +
       " blocks; only the blend modes Composite and Gradient can be drawn block by block");
   }
+  if (blocks > 1 && mapper->GetShow() != vtkVolumeBenchMapper::Picture)
+  {
+    throw SceneError(
+      "the input has " + std::to_string(blocks) + " blocks; samples per pixel can be shown of one");
+  }
 }
 
 // NaN stands for a step that a technique does not have.
@@ -217,6 +222,9 @@ void VolumePainter::Draw(vtkVolumeBenchMapper* mapper, vtkRenderer* renderer, vt
   {
     scene.Drawn->LeftOut = FeaturesLeftOut(scene.Scene, scene.Drawn->Technique->GetFeatures());
   }
+  this->FullScaleSamples = mapper->GetShow() == vtkVolumeBenchMapper::Picture
+    ? std::numeric_limits<double>::quiet_NaN()
+    : volumebench::FullScaleSamples(scenes.front().Scene);
   if (timed)
   {
     this->Timer.Stop();

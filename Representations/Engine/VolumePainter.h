@@ -12,6 +12,7 @@
 
 #include "vtkWeakPointer.h"
 
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -61,6 +62,9 @@ public:
   std::vector<LeftOutFeature> GetLeftOut() const;
   ///@}
 
+  /// Samples that have the last colour in the last picture; NaN unless it shows samples.
+  double GetFullScaleSamples() const { return this->FullScaleSamples; }
+
   /// From the beginning of the last still picture drawn with the mapper's TimeFrames on until the
   /// device was done with it; NaN when there is none. Waits for the device.
   double GetFrameMs();
@@ -93,6 +97,7 @@ private:
   OffscreenPicture Offscreen;
   SelectionMask Selection;
   GlTimer Timer;
+  double FullScaleSamples = std::numeric_limits<double>::quiet_NaN();
   OpaqueDepth Depth;                            // that a stamp is of
   vtkWeakPointer<vtkOpenGLRenderWindow> Window; // whose context holds the GPU objects
 };

@@ -176,6 +176,12 @@ double vtkVolumeBenchMapper::GetFrameMs() const
   return this->Internal->HasPicture() ? this->Internal->Painter.GetFrameMs() : vtkMath::Nan();
 }
 
+double vtkVolumeBenchMapper::GetFullScaleSamples() const
+{
+  return this->Internal->HasPicture() ? this->Internal->Painter.GetFullScaleSamples()
+                                      : vtkMath::Nan();
+}
+
 volumebench::SetUpCosts vtkVolumeBenchMapper::GetSetUpCosts() const
 {
   return this->Internal->Painter.GetSetUpCosts();
@@ -251,6 +257,7 @@ void vtkVolumeBenchMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ReferenceMethod: " << this->ReferenceMethod << "\n";
   os << indent << "LightingDamping: " << this->LightingDamping << "\n";
   os << indent << "CountSamples: " << this->CountSamples << "\n";
+  os << indent << "Show: " << this->Show << "\n";
   os << indent << "TimeStages: " << this->TimeStages << "\n";
   os << indent << "TimeFrames: " << this->TimeFrames << "\n";
   os << indent << "VectorMode: " << this->VectorMode << "\n";

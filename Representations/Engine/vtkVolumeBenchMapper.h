@@ -231,6 +231,23 @@ public:
   vtkBooleanMacro(CountSamples, bool);
   ///@}
 
+  enum Shows
+  {
+    Picture = 0,
+    SamplesPerPixel = 1
+  };
+
+  ///@{
+  /**
+   * What is drawn: Picture (default) or SamplesPerPixel, for looking at what a picture costs: each
+   * pixel in a colour from dark blue (none) to yellow (GetFullScaleSamples or more) by the samples
+   * that its ray takes, and nothing where it takes none. Technique reference and inputs of several
+   * blocks have no such view.
+   */
+  vtkSetMacro(Show, int);
+  vtkGetMacro(Show, int);
+  ///@}
+
   ///@{
   /**
    * For measuring: times each stage of a frame, which makes the frame slower. Default off.
@@ -295,6 +312,12 @@ public:
   double GetFrameMs() const;
 
   /**
+   * Samples that are yellow in the last frame, those of the longest ray that skips none; NaN unless
+   * it shows samples.
+   */
+  double GetFullScaleSamples() const;
+
+  /**
    * What the technique spent on uploads and compilation, and its bytes on the device.
    */
   volumebench::SetUpCosts GetSetUpCosts() const;
@@ -343,6 +366,7 @@ protected:
   int ReferenceMethod = 0;
   double LightingDamping = 0.0;
   bool CountSamples = false;
+  int Show = Picture;
   bool TimeStages = false;
   bool TimeFrames = false;
   int VectorMode = Component;

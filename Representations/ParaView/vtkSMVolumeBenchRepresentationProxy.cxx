@@ -9,7 +9,8 @@
 namespace
 {
 // Known only to a process that has drawn the picture.
-constexpr const char* PictureRows[] = { "UsedText", "LeftOutText", "LastFrameMs" };
+constexpr const char* PictureRows[] = { "UsedText", "LeftOutText", "LastFrameMs",
+  "FullScaleSamples" };
 
 constexpr const char* ErrorRows[] = { "ErrorText", "ErrorRmse", "LargestError", "ReferenceSeconds",
   "FrameMs" };

@@ -75,6 +75,7 @@ vtkVolumeBenchForwardMacro(SliceTarget, int);
 vtkVolumeBenchForwardMacro(SliceThreads, int);
 vtkVolumeBenchForwardMacro(LightingDamping, double);
 vtkVolumeBenchForwardMacro(ReferenceMethod, int);
+vtkVolumeBenchForwardMacro(Show, int);
 #undef vtkVolumeBenchForwardMacro
 
 void vtkVolumeBenchRepresentation::UpdateMapperParameters()
@@ -171,6 +172,11 @@ std::string vtkVolumeBenchRepresentation::WhyRanksDoNotBlend()
   {
     return "the blocks of different ranks interleave, so ParaView cannot blend the ranks' pictures "
            "in order: give each rank blocks that fill a box of their own";
+  }
+  if (this->Ranks.WithData > 1 && this->GetMapper()->GetShow() != vtkVolumeBenchMapper::Picture)
+  {
+    return "the data are spread over " + std::to_string(this->Ranks.WithData) +
+      " ranks, whose samples ParaView does not add up: samples per pixel need all on one rank";
   }
   const bool overEachOther = this->TechniqueBlendMode == vtkVolumeMapper::COMPOSITE_BLEND ||
     this->TechniqueBlendMode == vtkVolumeBenchMapper::GRADIENT_BLEND;

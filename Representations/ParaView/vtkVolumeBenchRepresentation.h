@@ -68,6 +68,7 @@ public:
   void SetSliceThreads(int threads);
   void SetLightingDamping(double gradient);
   void SetReferenceMethod(int method);
+  void SetShow(int show);
   ///@}
 
   /**
@@ -108,6 +109,7 @@ public:
   const char* GetUsedText();
   const char* GetLeftOutText();
   double GetLastFrameMs();
+  double GetFullScaleSamples();
   ///@}
 
   void SetVisibility(bool visible) override;

@@ -24,6 +24,11 @@ const char* vtkVolumeBenchRepresentation::GetLeftOutText()
   return this->LeftOutText.c_str();
 }
 
+double vtkVolumeBenchRepresentation::GetFullScaleSamples()
+{
+  return this->IsDrawn() ? this->GetMapper()->GetFullScaleSamples() : vtkMath::Nan();
+}
+
 double vtkVolumeBenchRepresentation::GetLastFrameMs()
 {
   return this->IsDrawn() ? this->GetMapper()->GetFrameMs() : vtkMath::Nan();

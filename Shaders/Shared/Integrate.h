@@ -131,10 +131,12 @@ FUNC vec4 stepOf(SCENE_PARAM Ray ray, real stepBegin, real width, StepEnd front,
 }
 
 // What is written for a ray: premultiplied colour and opacity, or for measuring samples taken,
-// samples skipped and whether the ray stopped early.
+// samples skipped and whether the ray stopped early; or the first of these as a colour.
 FUNC vec4 pixelOf(SCENE_PARAM March march, int count)
 {
-#if WITH_SAMPLE_COUNT
+#if WITH_SAMPLE_VIEW && WITH_SAMPLE_COUNT
+  return sampleColor(SCENE TO_REAL(march.taken * SAMPLES_OF_STEP));
+#elif WITH_SAMPLE_COUNT
   bool stopped = isStopped(SCENE march);
   int skipped = stopped ? march.skipped : count - march.taken;
   return VEC4(TO_REAL(march.taken * SAMPLES_OF_STEP), TO_REAL(skipped * SAMPLES_OF_STEP),

@@ -10,4 +10,5 @@
 #include "Shared/Composite.h"
 #include "Shared/Steps.h"
 #include "Shared/Skip.h"
+#include "Shared/SampleView.h"
 #include "Shared/Integrate.h"

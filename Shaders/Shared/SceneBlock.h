@@ -54,7 +54,8 @@ SCENE_BLOCK_BEGIN
                         // integrals; z: its last cell; w: cells below which values are close
   vec4 prefixUnits;     // extinction, x: times colour, y: alone, per unit of that table; z: units
                         // below which the colour is taken from the ends of a step
-  vec4 extremes;        // x, y: stored values at which Minimum and Maximum stop; z: 1 / their span
+  vec4 extremes;        // x, y: stored values at which Minimum and Maximum stop; z: 1 / their span;
+                        // w: 1 / the samples that have the last colour where samples are shown
   vec4 gradientX;       // xyz: first row of the matrix from differences to gradients in data units
   vec4 gradientY;       // xyz: second row
   vec4 gradientZ;       // xyz: third row

@@ -6,10 +6,14 @@ import shutil
 import sys
 from typing import Any
 
+import numpy as np
 from paraview import simple
 from parallel import run, server
 from support import (
     ERRORS,
+    SIZE,
+    capture,
+    check_differs,
     color_by,
     load_plugin,
     look,
@@ -19,6 +23,7 @@ from support import (
     set_functions,
     show,
     technique_labels,
+    temporary_folder,
     wavelet,
 )
 
@@ -150,6 +155,43 @@ def check_nothing_is_said_of_no_picture() -> None:
     simple.Render(view)
     display.SMProxy.UpdatePropertyInformation()
     expect_nothing(display, "drawn as a surface")
+
+
+def check_samples_are_shown_with_their_scale() -> None:
+    view, display = drawn_wavelet(WALL)
+    picture = capture(view)
+    assert math.isnan(scale_of(display))
+    display.Show = "Samples per Pixel"
+    samples = capture(view)
+    check_differs(picture, samples, "Samples per Pixel")
+    # Half a voxel along the diagonal of 20 voxels an axis.
+    assert scale_of(display) == math.ceil(40 * math.sqrt(3)), scale_of(display)
+    expect_used(display, "samples as colours")
+    with temporary_folder() as folder:
+        state = str(folder / "state.pvsm")
+        simple.SaveState(state)
+        simple.ResetSession()
+        simple.LoadState(state)
+    view = simple.GetActiveViewOrCreate("RenderView")
+    view.ViewSize = list(SIZE)
+    assert np.array_equal(capture(view), samples), "reopened, the view is another one"
+    display = next(
+        d for d in simple.GetRepresentations().values() if d.GetProperty("Show")
+    )
+    assert display.Show == "Samples per Pixel", display.Show
+    display.Show = "Picture"
+    assert np.array_equal(capture(view), picture), "the picture did not come back"
+    expect_left_out(display, "samples as colours", "the picture is drawn")
+    display.Show = "Samples per Pixel"
+    display.SetRepresentationType("Volume Reference")
+    simple.Render(view)
+    messages = not_drawn(ERRORS.take())
+    assert len(messages) == 1 and "takes no samples" in messages[0], messages
+
+
+def scale_of(display: Any) -> float:
+    """Return how many samples are yellow."""
+    return display.GetProperty("FullScaleSamples").GetData()
 
 
 def check_client_and_server() -> None:

@@ -44,6 +44,7 @@ OURS = {
     "SliceOrder": "Back to Front",
     "SliceTarget": "RGBA16F",
     "SliceThreads": "4",
+    "Show": "Samples per Pixel",
 }
 LIGHTING = {"Ambient": 0.7, "Diffuse": 0.3, "Specular": 0.9, "SpecularPower": 3.0}
 

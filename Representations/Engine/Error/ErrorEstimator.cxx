@@ -118,6 +118,10 @@ void ErrorEstimator::Estimate(vtkVolumeBenchMapper* mapper, VolumePainter& paint
   {
     throw SceneError("this technique is the reference itself");
   }
+  if (mapper->GetShow() != vtkVolumeBenchMapper::Picture)
+  {
+    throw SceneError("the view shows samples and not the picture");
+  }
   std::array<double, TimedFrames> seconds{};
   for (double& frame : seconds)
   {

@@ -201,7 +201,11 @@ std::vector<FeatureRow> BlendRows()
     { Feature::GradientBlend, "gradient", "WITH_GRADIENT_BLEND", "blend mode Gradient",
       "not chosen", [](const Scene& s) { return HasMode(s, BlendMode::Gradient); } },
     { Feature::SampleCount, "sample-count", "WITH_SAMPLE_COUNT", "sample count",
-      "the picture is drawn", [](const Scene& s) { return s.Measurement.CountSamples; } },
+      "the picture is drawn",
+      [](const Scene& s) { return s.Measurement.CountSamples || s.Measurement.ShowSamples; } },
+    { Feature::SampleView, "sample-view", "WITH_SAMPLE_VIEW", "samples as colours",
+      "the picture is drawn",
+      [](const Scene& s) { return s.Measurement.ShowSamples && !s.Measurement.CountSamples; } },
     { Feature::RasterisedSetUp, "rasterised-set-up", "WITH_RASTERISED_SETUP",
       "rasterised ray set-up", "Ray Set-up is Box",
       [](const Scene& s) { return s.Sampling.SetUp == RaySetUp::Rasterised; } },
@@ -279,6 +283,11 @@ double LongestRaySteps(const Scene& scene)
 {
   const double moved = scene.Sampling.Jitter ? 1.0 : 0.0;
   return 2.0 * glm::length(scene.Volume.BoxHalf) / scene.Sampling.StepVoxels + moved;
+}
+
+double FullScaleSamples(const Scene& scene)
+{
+  return std::ceil(LongestRaySteps(scene));
 }
 
 std::string GlslHead(bool compute, const FeatureSet& features)

@@ -37,6 +37,7 @@ enum class Feature
   AverageBlend,
   GradientBlend,
   SampleCount,
+  SampleView,
   RasterisedSetUp,
   TightBox,
   Skipping,
@@ -82,6 +83,10 @@ VOLUMEBENCHENGINE_EXPORT bool IsTransparent(const Scene& scene);
 
 /// Steps of the longest ray that a scene can have.
 VOLUMEBENCHENGINE_EXPORT double LongestRaySteps(const Scene& scene);
+
+/// The number of samples that has the last colour where samples are shown: what the longest ray
+/// takes if it skips none.
+VOLUMEBENCHENGINE_EXPORT double FullScaleSamples(const Scene& scene);
 
 /// The most steps that the kernels take along a ray, since one software renderer ends loops there.
 constexpr int MostSteps = 16 * 65535;

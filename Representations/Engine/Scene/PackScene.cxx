@@ -220,7 +220,7 @@ void PackExtremes(const Scene& scene, SceneBlock64& block)
   const double high = volume.Mapping.Normalize(std::min(volume.FiniteRange[1], function.High));
   const double span = SpanOf(volume);
   block.extremes = { low + Rounding * span, high - Rounding * span, span > 0.0 ? 1.0 / span : 0.0,
-    0.0 };
+    1.0 / FullScaleSamples(scene) };
 }
 
 void PackSkipping(const Scene& scene, SceneBlock64& block)

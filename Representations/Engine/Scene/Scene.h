@@ -220,6 +220,7 @@ struct Compositing
 struct Measurement
 {
   bool CountSamples = false;
+  bool ShowSamples = false; // as colours
   bool TimeStages = false;
 };
 

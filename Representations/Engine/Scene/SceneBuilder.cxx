@@ -303,7 +303,10 @@ Scene SceneBuilder::Build(vtkVolumeBenchMapper* mapper, vtkRenderer* renderer, v
   vtkVolumeProperty* property = volume->GetProperty();
   scene.Sampling = BuildSampling(mapper);
   scene.Compositing.Mode = BlendModeOf(mapper);
-  scene.Measurement = { mapper->GetCountSamples(), mapper->GetTimeStages() };
+  scene.Measurement = { mapper->GetCountSamples(),
+    Checked(mapper->GetShow(), vtkVolumeBenchMapper::SamplesPerPixel, "view") ==
+      vtkVolumeBenchMapper::SamplesPerPixel,
+    mapper->GetTimeStages() };
   scene.Volume = this->BuildVolume(mapper, volume, image);
   scene.Volume.FiniteRange[0] = range.Low;
   scene.Volume.FiniteRange[1] = range.High;

@@ -33,6 +33,11 @@ FeatureSet Reference::FeaturesFor(const Scene& scene) const
 
 void Reference::Compile(const Scene& scene)
 {
+  if (scene.Measurement.ShowSamples && !scene.Measurement.CountSamples)
+  {
+    throw SceneError("the exact technique takes no samples along its rays that could be shown: "
+                     "choose another technique, or show the picture");
+  }
   this->Renderer.Prepare(scene);
   this->ProgramOf({ "Viewport.vert", "Picture.frag" });
 }
