@@ -168,7 +168,7 @@ std::string vtkVolumeBenchMapper::GetUsedText() const
 std::string vtkVolumeBenchMapper::GetLeftOutText() const
 {
   const volumebench::VolumePainter& painter = this->Internal->Painter;
-  return this->Internal->HasPicture() ? volumebench::LabelsOf(painter.GetLeftOut()) : std::string();
+  return this->Internal->HasPicture() ? volumebench::LinesOf(painter.GetLeftOut()) : std::string();
 }
 
 double vtkVolumeBenchMapper::GetFrameMs() const

@@ -298,8 +298,8 @@ public:
   std::string GetLeftOut() const;
 
   /**
-   * The same two in plain words, separated by commas, with the reason after what was left out;
-   * empty when the last render drew nothing.
+   * The same two in plain words: what was used separated by commas, what was left out on a line
+   * each with the reason. Empty when the last render drew nothing.
    */
   std::string GetUsedText() const;
   std::string GetLeftOutText() const;

@@ -71,8 +71,9 @@ TEST(Features, ThoseLeftOutSayWhatTheSceneLacksOrThatTheTechniqueCannot)
   scene.Lighting.Enabled = false;
   EXPECT_EQ(whyOf(Feature::Lighting), "off");
   EXPECT_EQ(LabelsOf(FeatureSet().set(static_cast<std::size_t>(Feature::Crop))), "crop box");
-  EXPECT_EQ(LabelsOf({ { Feature::Crop, "off" }, { Feature::Jitter, "off" } }),
-    "crop box (off), jitter (off)");
+  EXPECT_EQ(LinesOf({ { Feature::AverageBlend, NotChosen }, { Feature::Crop, "off" },
+              { Feature::Jitter, "off" } }),
+    "crop box (off)\njitter (off)\nblend mode Average (not chosen)");
 }
 
 TEST(Features, PlainSceneNeedsOnlyWhatItUses)

@@ -1,5 +1,7 @@
 #include "Scene/FeatureWords.h"
 
+#include <algorithm>
+
 namespace volumebench
 {
 std::vector<LeftOutFeature> FeaturesLeftOut(const Scene& scene, const FeatureSet& used)
@@ -44,12 +46,14 @@ std::string LabelsOf(const FeatureSet& features)
   return text;
 }
 
-std::string LabelsOf(const std::vector<LeftOutFeature>& features)
+std::string LinesOf(std::vector<LeftOutFeature> features)
 {
+  std::stable_partition(features.begin(), features.end(),
+    [](const LeftOutFeature& feature) { return std::string(feature.Why) != NotChosen; });
   std::string text;
   for (const LeftOutFeature& feature : features)
   {
-    text += std::string(text.empty() ? "" : ", ") + LabelOf(feature.Bit) + " (" + feature.Why + ")";
+    text += std::string(text.empty() ? "" : "\n") + LabelOf(feature.Bit) + " (" + feature.Why + ")";
   }
   return text;
 }

@@ -25,8 +25,9 @@ VOLUMEBENCHENGINE_EXPORT std::vector<LeftOutFeature> FeaturesLeftOut(
 /// "shading, clip planes".
 VOLUMEBENCHENGINE_EXPORT std::string LabelsOf(const FeatureSet& features);
 
-/// "shading (off), clip planes (none)".
-VOLUMEBENCHENGINE_EXPORT std::string LabelsOf(const std::vector<LeftOutFeature>& features);
+/// "shading (off)", "clip planes (none)", each on a line; what is left out because another choice
+/// was made comes last.
+VOLUMEBENCHENGINE_EXPORT std::string LinesOf(std::vector<LeftOutFeature> features);
 }
 
 #endif

@@ -119,7 +119,7 @@ const char* WhyNoEmptyMargin(const Scene& s)
 
 const char* WhyNotIntegrator(const Scene& s, Integrator integrator)
 {
-  return s.Sampling.Integration == integrator ? "no effect in this blend mode" : "not chosen";
+  return s.Sampling.Integration == integrator ? "no effect in this blend mode" : NotChosen;
 }
 
 std::vector<FeatureRow> SamplingRows()
@@ -128,7 +128,7 @@ std::vector<FeatureRow> SamplingRows()
     { Feature::Midpoint, "midpoint", "WITH_MIDPOINT", "samples in the middle of steps",
       "the integrator is Left",
       [](const Scene& s) { return s.Sampling.Integration != Integrator::Left; } },
-    { Feature::Segment, "segment", "WITH_SEGMENT", "integrator Segment", "not chosen",
+    { Feature::Segment, "segment", "WITH_SEGMENT", "integrator Segment", NotChosen,
       [](const Scene& s) { return s.Sampling.Integration == Integrator::Segment && Composites(s); },
       [](const Scene& s) { return WhyNotIntegrator(s, Integrator::Segment); } },
     { Feature::StiffSteps, "stiff-steps", "WITH_STIFF_STEPS", "order of colours within a step",
@@ -140,7 +140,7 @@ std::vector<FeatureRow> SamplingRows()
           : "the integrator is not Segment";
       } },
     { Feature::PreIntegrated, "pre-integrated", "WITH_PREINTEGRATED", "integrator PreIntegrated",
-      "not chosen",
+      NotChosen,
       [](const Scene& s)
       { return s.Sampling.Integration == Integrator::PreIntegrated && Composites(s); },
       [](const Scene& s) { return WhyNotIntegrator(s, Integrator::PreIntegrated); } },
@@ -192,14 +192,14 @@ std::vector<FeatureRow> AppearanceRows()
 std::vector<FeatureRow> BlendRows()
 {
   return {
-    { Feature::MaximumBlend, "maximum", "WITH_MAXIMUM_BLEND", "blend mode Maximum", "not chosen",
+    { Feature::MaximumBlend, "maximum", "WITH_MAXIMUM_BLEND", "blend mode Maximum", NotChosen,
       [](const Scene& s) { return HasMode(s, BlendMode::Maximum); } },
-    { Feature::MinimumBlend, "minimum", "WITH_MINIMUM_BLEND", "blend mode Minimum", "not chosen",
+    { Feature::MinimumBlend, "minimum", "WITH_MINIMUM_BLEND", "blend mode Minimum", NotChosen,
       [](const Scene& s) { return HasMode(s, BlendMode::Minimum); } },
-    { Feature::AverageBlend, "average", "WITH_AVERAGE_BLEND", "blend mode Average", "not chosen",
+    { Feature::AverageBlend, "average", "WITH_AVERAGE_BLEND", "blend mode Average", NotChosen,
       [](const Scene& s) { return HasMode(s, BlendMode::Average); } },
-    { Feature::GradientBlend, "gradient", "WITH_GRADIENT_BLEND", "blend mode Gradient",
-      "not chosen", [](const Scene& s) { return HasMode(s, BlendMode::Gradient); } },
+    { Feature::GradientBlend, "gradient", "WITH_GRADIENT_BLEND", "blend mode Gradient", NotChosen,
+      [](const Scene& s) { return HasMode(s, BlendMode::Gradient); } },
     { Feature::SampleCount, "sample-count", "WITH_SAMPLE_COUNT", "sample count",
       "the picture is drawn",
       [](const Scene& s) { return s.Measurement.CountSamples || s.Measurement.ShowSamples; } },

@@ -57,6 +57,9 @@ struct FeatureRow
   const char* (*Cause)(const Scene&) = nullptr; // which says it where there is more than one
 };
 
+/// Why a feature is left out that is one of several choices.
+constexpr const char* NotChosen = "not chosen";
+
 /// All rows, in the order of the enumeration.
 VOLUMEBENCHENGINE_EXPORT const std::vector<FeatureRow>& FeatureTable();
 
