@@ -56,6 +56,18 @@ std::size_t UploadLine(
   return channels * sizeof(float) * static_cast<std::size_t>(width);
 }
 
+// The features among these that have a table of their own.
+FeatureSet TablesOf(const FeatureSet& features)
+{
+  FeatureSet tables;
+  for (const Feature feature :
+    { Feature::Segment, Feature::PreIntegrated, Feature::GradientOpacity })
+  {
+    tables.set(static_cast<std::size_t>(feature), Has(features, feature));
+  }
+  return tables;
+}
+
 void DrainErrors()
 {
   while (glGetError() != GL_NO_ERROR)
@@ -107,12 +119,14 @@ void SceneTextures::Update(const Scene& scene, const FeatureSet& features)
     this->Volume.Unbind();
     this->Nearest = scene.Volume.Nearest;
   }
-  if (scene.TransferFunction.Stamp != this->TableStamp || !this->Table.IsCreated())
+  if (scene.TransferFunction.Stamp != this->TableStamp ||
+    TablesOf(features) != this->TableFeatures || !this->Table.IsCreated())
   {
     const Clock::time_point begin = Clock::now();
-    this->UpdateTable(scene.TransferFunction);
+    this->UpdateTables(scene.TransferFunction, features);
     this->TablesMs = MillisecondsSince(begin);
     this->TableStamp = scene.TransferFunction.Stamp;
+    this->TableFeatures = TablesOf(features);
   }
   this->UpdateCells(scene.Skipping, features);
 }
@@ -213,18 +227,22 @@ void SceneTextures::UpdateBlanking(const volumebench::Volume& volume)
   this->BlankingBytes = grid.size();
 }
 
-void SceneTextures::UpdateTable(const TransferFunction& function)
+void SceneTextures::UpdateTables(const TransferFunction& function, const FeatureSet& features)
 {
   this->TableBytes = 0;
+  for (GlTexture* texture : { &this->Prefix, &this->Segments, &this->GradientOpacity })
+  {
+    texture->Release();
+  }
   const auto width = static_cast<GLsizei>(function.Table.size());
   this->TableBytes +=
     UploadLine(this->Table, { GL_RGBA32F, GL_RGBA, GL_FLOAT }, width, function.Table.data(), true);
-  if (!function.Prefix.empty())
+  if (Has(features, Feature::Segment))
   {
     this->TableBytes += UploadLine(this->Prefix, { GL_RGBA32I, GL_RGBA_INTEGER, GL_INT },
       static_cast<GLsizei>(function.Prefix.size()), function.Prefix.data(), false);
   }
-  if (!function.Segments.empty())
+  if (Has(features, Feature::PreIntegrated))
   {
     this->Segments.Bind(GL_TEXTURE_2D);
     this->Segments.SetSampling(true);
@@ -233,7 +251,7 @@ void SceneTextures::UpdateTable(const TransferFunction& function)
     this->Segments.Unbind();
     this->TableBytes += function.Segments.size() * sizeof(glm::vec4);
   }
-  if (!function.GradientTable.empty())
+  if (Has(features, Feature::GradientOpacity))
   {
     this->TableBytes += UploadLine(this->GradientOpacity, { GL_R32F, GL_RED, GL_FLOAT },
       static_cast<GLsizei>(function.GradientTable.size()), function.GradientTable.data(), true);

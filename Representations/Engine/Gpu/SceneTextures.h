@@ -1,5 +1,5 @@
 // The scene's data on the device: volume, tables, blanking grid. Each is sent
-// again only when its stamp changes.
+// again only when its stamp changes, and what the features in use do not read is not kept.
 #ifndef volumebench_SceneTextures_h
 #define volumebench_SceneTextures_h
 
@@ -39,7 +39,7 @@ private:
   void UploadSlabs(const volumebench::Volume& volume);
   void UpdateBlanking(const volumebench::Volume& volume);
   void UpdateCells(const Skipping& skipping, const FeatureSet& features);
-  void UpdateTable(const TransferFunction& function);
+  void UpdateTables(const TransferFunction& function, const FeatureSet& features);
 
   GlTexture Volume;
   GlTexture Table;
@@ -51,6 +51,7 @@ private:
   ChangeStamp TexelStamp = 0;
   bool Nearest = false;
   ChangeStamp TableStamp = 0;
+  FeatureSet TableFeatures; // that have tables
   ChangeStamp CellStamp = 0;
   std::size_t CellBytes = 0;
   std::size_t VolumeBytes = 0;

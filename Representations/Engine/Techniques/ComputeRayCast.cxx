@@ -47,6 +47,10 @@ void ComputeRayCast::Compile(const Scene& scene)
   {
     this->BoxFacePrograms();
   }
+  else
+  {
+    this->Faces.Release();
+  }
   if (scene.Sampling.WorkGroup.x > 0)
   {
     this->RayCastOf(scene.Sampling.WorkGroup);

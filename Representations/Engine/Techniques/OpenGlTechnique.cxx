@@ -32,6 +32,10 @@ void OpenGlTechnique::Prepare(const Scene& scene, vtkOpenGLRenderWindow* window)
     throw SceneError("the step of " + std::to_string(scene.Sampling.StepVoxels) +
       " voxels makes more than " + std::to_string(MostSteps) + " steps along a ray");
   }
+  if (!Has(this->Features, Feature::OpaqueDepth))
+  {
+    this->Depth.Release();
+  }
   if (this->ReadsTextures())
   {
     this->Textures.Update(scene, this->Features);

@@ -281,6 +281,10 @@ void Slices::DrawSlabs(const Scene& scene, vtkOpenGLRenderWindow* window)
   this->Target.Resize(size, TargetFormat(scene, this->GetFeatures()));
   this->Target.Bind(window, rectangle, viewport);
   OffscreenTarget::Clear(empty);
+  if (batches.size() == 1)
+  {
+    this->Batch.Release();
+  }
   for (const SlabRange& batch : batches)
   {
     this->UpdatePolygons(scene, view, batch);
