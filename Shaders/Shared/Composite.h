@@ -73,6 +73,7 @@ FUNC vec4 finishRay(SCENE_PARAM vec4 ray)
   return VEC4(opacity * classified.x, opacity * classified.y, opacity * classified.z, opacity);
 }
 
+#if WITH_TERMINATION
 // Nothing behind can change the pixel: the value is the extreme that the data can reach, or one
 // that the transfer function does not tell from it.
 FUNC bool isFinished(SCENE_PARAM vec4 ray)
@@ -85,6 +86,7 @@ FUNC bool isFinished(SCENE_PARAM vec4 ray)
   return false;
 #endif
 }
+#endif
 #else
 // Premultiplied colour and opacity.
 FUNC vec4 emptyRay()
@@ -109,8 +111,10 @@ FUNC vec4 finishRay(SCENE_PARAM vec4 ray)
   return ray;
 }
 
+#if WITH_TERMINATION
 FUNC bool isFinished(SCENE_PARAM vec4 ray)
 {
   return ray.w >= scene.sampling.y;
 }
+#endif
 #endif

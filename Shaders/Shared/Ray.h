@@ -115,6 +115,7 @@ FUNC Interval clipToBox(SCENE_PARAM Ray ray, Interval interval)
   return clipToSlab(interval, ray.origin.z, ray.direction.z, -high.z, high.z);
 }
 
+#if WITH_CROP || WITH_CROP_REGIONS
 FUNC Interval clipToCrop(SCENE_PARAM Ray ray, Interval interval)
 {
   vec3 origin = rowsTimes(scene.cropX, scene.cropY, scene.cropZ, ray.origin) +
@@ -124,6 +125,7 @@ FUNC Interval clipToCrop(SCENE_PARAM Ray ray, Interval interval)
   interval = clipToSlab(interval, origin.y, direction.y, REAL(0.0), REAL(1.0));
   return clipToSlab(interval, origin.z, direction.z, REAL(0.0), REAL(1.0));
 }
+#endif
 
 #if WITH_CLIP_PLANES
 FUNC Interval clipToPlanes(SCENE_PARAM Ray ray, Interval interval)
@@ -159,6 +161,7 @@ FUNC Interval clipToDepths(SCENE_PARAM Ray ray, Interval interval, real nearDept
   return interval;
 }
 
+#if WITH_OPAQUE_DEPTH
 // View depth of a depth-buffer value in [0, 1].
 FUNC real viewDepthOfWindowDepth(SCENE_PARAM real windowDepth)
 {
@@ -169,6 +172,7 @@ FUNC real viewDepthOfWindowDepth(SCENE_PARAM real windowDepth)
   }
   return scene.depthProjection.y / (deviceZ + scene.depthProjection.x);
 }
+#endif
 
 // The part of an interval inside the box that can be seen. windowDepth is the depth of opaque
 // geometry at the pixel; 1 where there is none.

@@ -57,6 +57,7 @@ FUNC bool isInCropRegions(SCENE_PARAM vec3 voxel)
 }
 #endif
 
+#if WITH_BLANKING || WITH_CROP_REGIONS
 FUNC bool isHidden(SCENE_PARAM Ray ray, real along)
 {
   bool hidden = false;
@@ -68,6 +69,7 @@ FUNC bool isHidden(SCENE_PARAM Ray ray, real along)
 #endif
   return hidden;
 }
+#endif
 
 #if WITH_CROP_REGIONS
 // The next of the two borders of the crop box along one axis that a ray reaches after `along`.

@@ -52,13 +52,21 @@ std::string TextFile(const std::string& entry, const FeatureSet& features)
     path.extension().string();
 }
 
-KernelVerdict CompileGlsl(const std::string& entry, const FeatureSet& features)
+// Runs the compiler on a specialised text, with an option unless that is empty.
+KernelVerdict RunGlslang(
+  const std::string& entry, const FeatureSet& features, const std::string& option)
 {
   const std::string head = GlslHead(ExtensionOf(entry) == ".comp", features);
   const KernelText text = SpecializeKernel(entry, head, FindText);
   const std::string file = TextFile(entry, features);
   std::ofstream(file) << text.Source;
-  const CommandResult result = RunCommand({ GLSLANG_COMPILER, file });
+  std::vector<std::string> words = { GLSLANG_COMPILER };
+  if (!option.empty())
+  {
+    words.push_back(option);
+  }
+  words.push_back(file);
+  const CommandResult result = RunCommand(words);
   return { result.ExitCode == 0, NameFilesInLog(result.Output, text.Files) };
 }
 
@@ -126,6 +134,16 @@ KernelVerdict CompileKernel(const std::string& entry, const FeatureSet& features
 {
   const std::string extension = ExtensionOf(entry);
   const bool glsl = extension == ".vert" || extension == ".frag" || extension == ".comp";
-  return glsl ? CompileGlsl(entry, features)
+  return glsl ? RunGlslang(entry, features, {})
               : CompileWith(CompilerWords(extension), entry, features);
+}
+
+std::string PreprocessGlsl(const std::string& entry, const FeatureSet& features)
+{
+  const KernelVerdict verdict = RunGlslang(entry, features, "-E");
+  if (!verdict.Accepted)
+  {
+    throw std::runtime_error(verdict.Log);
+  }
+  return verdict.Log;
 }

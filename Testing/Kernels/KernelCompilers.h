@@ -22,4 +22,8 @@ std::string WhyNotCompiled(const std::string& entry);
 
 KernelVerdict CompileKernel(const std::string& entry, const volumebench::FeatureSet& features);
 
+/// What the compiler sees of a GLSL entry: no comments, nothing that a feature leaves out. Throws
+/// std::runtime_error with the compiler's log.
+std::string PreprocessGlsl(const std::string& entry, const volumebench::FeatureSet& features);
+
 #endif
