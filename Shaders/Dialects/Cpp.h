@@ -65,10 +65,17 @@ FUNC vec4 tableAt(SCENE_PARAM real coordinate)
   return scene.table(coordinate);
 }
 
+#if WITH_ONE_COLOR
+FUNC int prefixAt(SCENE_PARAM int index)
+{
+  return scene.prefixTable(index).x;
+}
+#else
 FUNC ivec4 prefixAt(SCENE_PARAM int index)
 {
   return scene.prefixTable(index);
 }
+#endif
 
 FUNC vec4 segmentTableAt(SCENE_PARAM real front, real back)
 {

@@ -66,20 +66,35 @@ FUNC real fieldAt(SCENE_PARAM vec3 position)
 
 FUNC vec4 tableAt(SCENE_PARAM real coordinate)
 {
+#if WITH_ONE_COLOR
+  return make_float4(tex1D<float>(scene.tableTexture, coordinate), 0.0f, 0.0f, 0.0f);
+#else
   return tex1D<float4>(scene.tableTexture, coordinate);
+#endif
 }
 
 #if WITH_SEGMENT
+#if WITH_ONE_COLOR
+FUNC int prefixAt(SCENE_PARAM int index)
+{
+  return tex1Dfetch<int>(scene.prefixTexture, index);
+}
+#else
 FUNC ivec4 prefixAt(SCENE_PARAM int index)
 {
   return tex1Dfetch<int4>(scene.prefixTexture, index);
 }
 #endif
+#endif
 
 #if WITH_PREINTEGRATED
 FUNC vec4 segmentTableAt(SCENE_PARAM real front, real back)
 {
+#if WITH_ONE_COLOR
+  return make_float4(tex2D<float>(scene.segmentTexture, front, back), 0.0f, 0.0f, 0.0f);
+#else
   return tex2D<float4>(scene.segmentTexture, front, back);
+#endif
 }
 #endif
 

@@ -30,10 +30,17 @@ vec4 tableAt(real coordinate)
 #if WITH_SEGMENT
 uniform isampler1D prefixTexture;
 
+#if WITH_ONE_COLOR
+int prefixAt(int index)
+{
+  return texelFetch(prefixTexture, index, 0).x;
+}
+#else
 ivec4 prefixAt(int index)
 {
   return texelFetch(prefixTexture, index, 0);
 }
+#endif
 #endif
 
 #if WITH_PREINTEGRATED

@@ -11,7 +11,11 @@ typedef int4 ivec4;
   typedef struct name name;                                                                        \
   struct name
 #if WITH_SEGMENT
+#if WITH_ONE_COLOR
+#define PREFIX_PARAM global const int *prefixTable,
+#else
 #define PREFIX_PARAM global const int4 *prefixTable,
+#endif
 #define PREFIX prefixTable,
 #else
 #define PREFIX_PARAM
@@ -97,7 +101,11 @@ FUNC vec4 tableAt(SCENE_PARAM real coordinate)
 }
 
 #if WITH_SEGMENT
+#if WITH_ONE_COLOR
+FUNC int prefixAt(SCENE_PARAM int index)
+#else
 FUNC ivec4 prefixAt(SCENE_PARAM int index)
+#endif
 {
   return prefixTable[index];
 }

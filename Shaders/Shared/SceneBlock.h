@@ -49,6 +49,7 @@ SCENE_BLOCK_BEGIN
   vec4 clipPlaneCount;  // x: number of clip planes in use
   vec4 classification;  // x, y: scale and offset from a stored value to a table coordinate; z, w:
                         // the same for the component that gives the colour, where there are two
+  vec4 oneColor;        // xyz: colour of all that can be seen, where that is one
   vec4 segments;        // x, y: the same for a coordinate of the pre-integrated table
   vec4 prefix;          // x, y: scale and offset from a stored value to a cell of the table of prefix
                         // integrals; z: its last cell; w: cells below which values are close

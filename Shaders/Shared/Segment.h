@@ -12,7 +12,14 @@
 // Prefix integrals are whole numbers, so that differences of neighbours lose nothing beside large
 // sums elsewhere. Between two of them the integral is linear, which is not enough where the field
 // changes by less than that: there the function's own table speaks, unless that is too coarse, which
-// is marked in the last bit of a cell's first integral.
+// is marked in the last bit of a cell's first integral. Where all that can be seen has one
+// colour, an integral is a single number, of which the marked ones are stored as their complement.
+#if WITH_ONE_COLOR
+#define PREFIX_ENTRY int
+#else
+#define PREFIX_ENTRY ivec4
+#endif
+
 // The field at an end of a step, or of its half, as the integrator needs it.
 STRUCT(StepEnd)
 {
@@ -24,8 +31,8 @@ STRUCT(StepEnd)
   real hold;    // share of the half step over which the field stays at this end's value
   int cell;     // of the prefix table
   real inCell;  // position in it; beyond 0 and 1 outside the table
-  ivec4 before; // prefix integrals at the beginning of the cell: colour times tau, tau
-  ivec4 after;  // and at its end
+  PREFIX_ENTRY before; // prefix integrals at the beginning of the cell: colour times tau, tau
+  PREFIX_ENTRY after;  // and at its end
   vec4 seen;    // colour and extinction of the value
 #endif
 };
@@ -61,11 +68,33 @@ FUNC StepEnd bentMiddle(SCENE_PARAM StepEnd front, StepEnd middle, StepEnd back)
   return withPrefix(SCENE bent);
 }
 
+#if WITH_ONE_COLOR
+FUNC bool isCoarse(int entry)
+{
+  return entry < 0;
+}
+
+FUNC int prefixOf(int entry)
+{
+  return isCoarse(entry) ? ~entry : entry;
+}
+
+FUNC vec4 prefixDifference(int from, int to)
+{
+  return VEC4(REAL(0.0), REAL(0.0), REAL(0.0), TO_REAL(prefixOf(to) - prefixOf(from)));
+}
+#else
+FUNC bool isCoarse(ivec4 entry)
+{
+  return (entry.x & 1) == 1;
+}
+
 FUNC vec4 prefixDifference(ivec4 from, ivec4 to)
 {
   return VEC4(TO_REAL(to.x - from.x), TO_REAL(to.y - from.y), TO_REAL(to.z - from.z),
     TO_REAL(to.w - from.w));
 }
+#endif
 
 // Mean over the values between two ends and those where the field stays, in units per cell. Summed
 // from the cells' parts, whose shares add up to the span, so that it stays a mean however close the
@@ -128,15 +157,23 @@ FUNC vec4 classifyBetween(SCENE_PARAM StepEnd front, StepEnd back, real stepLeng
   {
     return VEC4(REAL(0.0), REAL(0.0), REAL(0.0), REAL(0.0));
   }
+#if WITH_STIFF_STEPS || !WITH_ONE_COLOR
   vec3 first = xyz(front.seen);
   vec3 last = xyz(back.seen);
+#endif
   real cells = fabs(back.value - front.value) * scene.prefix.x;
-  bool narrow = cells < scene.prefix.w && ((front.before.x | back.before.x) & 1) == 0;
+  bool narrow = cells < scene.prefix.w && !isCoarse(front.before) && !isCoarse(back.before);
+#if !WITH_ONE_COLOR
   bool few = narrow || mean.w * max(REAL(1.0), cells) < scene.prefixUnits.z;
+#endif
   real extinction =
     narrow ? REAL(0.5) * (front.seen.w + back.seen.w) : mean.w * scene.prefixUnits.y;
+#if WITH_ONE_COLOR
+  vec3 color = xyz(scene.oneColor);
+#else
   real toColor = scene.prefixUnits.x / (mean.w * scene.prefixUnits.y);
   vec3 color = few ? REAL(0.5) * (first + last) : toColor * xyz(mean);
+#endif
 #if WITH_STIFF_STEPS
   color = color +
     frontWeight(extinction * stepLength) * (frontOfProfile(first, last, color) - color);

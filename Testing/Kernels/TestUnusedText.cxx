@@ -57,6 +57,7 @@ const std::vector<FeatureWord>& FeatureWords()
     { "viridis", { F::SampleView } },
     { "clipToOccupied", { F::TightBox } },
     { "scene.occupiedLow", { F::TightBox } },
+    { "scene.oneColor", { F::OneColor } },
     { "cellRayOf", { F::Skipping } },
     { "scene.cells", { F::Skipping } },
   };
@@ -129,6 +130,7 @@ const std::vector<NamedScene>& Scenes()
       } },
     { "Gradient", [](Scene& s) { s.Compositing.Mode = BlendMode::Gradient; } },
     { "half empty", MakeHalfEmpty },
+    { "one colour", [](Scene& s) { s.TransferFunction.Color = glm::vec3(1.0f); } },
     { "samples shown", [](Scene& s) { s.Measurement.ShowSamples = true; } },
   };
   return scenes;

@@ -52,16 +52,34 @@ std::size_t UploadLine(
   texture.SetSampling(filtered);
   glTexImage1D(GL_TEXTURE_1D, 0, format.Internal, width, 0, format.External, format.Type, texels);
   texture.Unbind();
-  const std::size_t channels = format.External == GL_RED ? 1 : 4;
+  const bool single = format.External == GL_RED || format.External == GL_RED_INTEGER;
+  const std::size_t channels = single ? 1 : 4;
   return channels * sizeof(float) * static_cast<std::size_t>(width);
 }
 
-// The features among these that have a table of their own.
+std::vector<float> ExtinctionsOf(const SharedTable<glm::vec4>& entries)
+{
+  std::vector<float> extinctions(entries.size());
+  std::transform(entries.begin(), entries.end(), extinctions.begin(),
+    [](const glm::vec4& entry) { return entry.w; });
+  return extinctions;
+}
+
+// As Shaders/Shared/Segment.h has them for one colour: marked entries are complements.
+std::vector<std::int32_t> OneColorPrefix(const SharedTable<glm::ivec4>& entries)
+{
+  std::vector<std::int32_t> prefix(entries.size());
+  std::transform(entries.begin(), entries.end(), prefix.begin(),
+    [](const glm::ivec4& entry) { return (entry.x & 1) != 0 ? ~entry.w : entry.w; });
+  return prefix;
+}
+
+// The features among these that decide which tables there are.
 FeatureSet TablesOf(const FeatureSet& features)
 {
   FeatureSet tables;
   for (const Feature feature :
-    { Feature::Segment, Feature::PreIntegrated, Feature::GradientOpacity })
+    { Feature::Segment, Feature::PreIntegrated, Feature::GradientOpacity, Feature::OneColor })
   {
     tables.set(static_cast<std::size_t>(feature), Has(features, feature));
   }
@@ -234,22 +252,31 @@ void SceneTextures::UpdateTables(const TransferFunction& function, const Feature
   {
     texture->Release();
   }
+  const bool oneColor = Has(features, Feature::OneColor);
   const auto width = static_cast<GLsizei>(function.Table.size());
-  this->TableBytes +=
-    UploadLine(this->Table, { GL_RGBA32F, GL_RGBA, GL_FLOAT }, width, function.Table.data(), true);
+  this->TableBytes += oneColor ? UploadLine(this->Table, { GL_R32F, GL_RED, GL_FLOAT }, width,
+                                   ExtinctionsOf(function.Table).data(), true)
+                               : UploadLine(this->Table, { GL_RGBA32F, GL_RGBA, GL_FLOAT }, width,
+                                   function.Table.data(), true);
   if (Has(features, Feature::Segment))
   {
-    this->TableBytes += UploadLine(this->Prefix, { GL_RGBA32I, GL_RGBA_INTEGER, GL_INT },
-      static_cast<GLsizei>(function.Prefix.size()), function.Prefix.data(), false);
+    const auto entries = static_cast<GLsizei>(function.Prefix.size());
+    this->TableBytes += oneColor ? UploadLine(this->Prefix, { GL_R32I, GL_RED_INTEGER, GL_INT },
+                                     entries, OneColorPrefix(function.Prefix).data(), false)
+                                 : UploadLine(this->Prefix, { GL_RGBA32I, GL_RGBA_INTEGER, GL_INT },
+                                     entries, function.Prefix.data(), false);
   }
   if (Has(features, Feature::PreIntegrated))
   {
     this->Segments.Bind(GL_TEXTURE_2D);
     this->Segments.SetSampling(true);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, function.SegmentSize, function.SegmentSize, 0,
-      GL_RGBA, GL_FLOAT, function.Segments.data());
+    const std::vector<float> extinctions =
+      oneColor ? ExtinctionsOf(function.Segments) : std::vector<float>();
+    glTexImage2D(GL_TEXTURE_2D, 0, oneColor ? GL_R32F : GL_RGBA32F, function.SegmentSize,
+      function.SegmentSize, 0, oneColor ? GL_RED : GL_RGBA, GL_FLOAT,
+      oneColor ? static_cast<const void*>(extinctions.data()) : function.Segments.data());
     this->Segments.Unbind();
-    this->TableBytes += function.Segments.size() * sizeof(glm::vec4);
+    this->TableBytes += function.Segments.size() * (oneColor ? sizeof(float) : sizeof(glm::vec4));
   }
   if (Has(features, Feature::GradientOpacity))
   {

@@ -32,6 +32,11 @@ bool HasLongRays(const Scene& s)
     !HasMode(s, BlendMode::Minimum);
 }
 
+bool HasOneColor(const Scene& s)
+{
+  return s.TransferFunction.Color && s.Volume.Channels == 1;
+}
+
 // Whether a step of Segment may be so deep that the order of the colours within it shows.
 bool HasStiffSteps(const Scene& s)
 {
@@ -39,7 +44,7 @@ bool HasStiffSteps(const Scene& s)
   const glm::dmat3 edges(s.Volume.VoxelToData);
   const double edge =
     std::max({ glm::length(edges[0]), glm::length(edges[1]), glm::length(edges[2]) });
-  return s.Sampling.Integration == Integrator::Segment && Composites(s) &&
+  return s.Sampling.Integration == Integrator::Segment && Composites(s) && !HasOneColor(s) &&
     s.TransferFunction.MaximumExtinction * s.Sampling.StepVoxels * edge > ThinDepth;
 }
 
@@ -136,7 +141,7 @@ std::vector<FeatureRow> SamplingRows()
       [](const Scene& s)
       {
         return s.Sampling.Integration == Integrator::Segment && Composites(s)
-          ? "every step is thin"
+          ? (HasOneColor(s) ? "all that is seen has one colour" : "every step is thin")
           : "the integrator is not Segment";
       } },
     { Feature::PreIntegrated, "pre-integrated", "WITH_PREINTEGRATED", "integrator PreIntegrated",
@@ -219,6 +224,8 @@ std::vector<FeatureRow> SkippingRows()
       HasEmptyMargin, WhyNoEmptyMargin },
     { Feature::Skipping, "skipping", "WITH_SKIPPING", "empty space skipping", "off", HasEmptyCells,
       WhyNoEmptyCells },
+    { Feature::OneColor, "one-color", "WITH_ONE_COLOR", "one colour for all", "colours differ",
+      HasOneColor },
   };
 }
 }

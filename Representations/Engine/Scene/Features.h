@@ -41,6 +41,7 @@ enum class Feature
   RasterisedSetUp,
   TightBox,
   Skipping,
+  OneColor,
   Count
 };
 

@@ -52,6 +52,7 @@ using real = KERNEL_REAL;
 #undef BETWEEN_ENDS
 #undef BORDERS_MOVE
 #undef SAMPLES_OF_STEP
+#undef PREFIX_ENTRY
 
 // Every feature of Scene/Features.cxx; the Kernels tests notice one that is missing here.
 #undef WITH_MIDPOINT
@@ -79,6 +80,7 @@ using real = KERNEL_REAL;
 #undef WITH_RASTERISED_SETUP
 #undef WITH_TIGHT_BOX
 #undef WITH_SKIPPING
+#undef WITH_ONE_COLOR
 
 #undef KERNEL_NAMESPACE
 #undef KERNEL_REAL

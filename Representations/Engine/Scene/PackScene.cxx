@@ -201,6 +201,7 @@ void PackTable(const Scene& scene, SceneBlock64& block)
   block.classification = { TableCoordinates(low, high, size),
     TableCoordinates(colorMapping.Normalize(function.ColorLow),
       colorMapping.Normalize(function.ColorHigh), size) };
+  block.oneColor = { glm::dvec3(function.Color.value_or(glm::vec3(0.0f))), 0.0 };
   // Entry 0 of the table is entry 1 of its prefix integrals.
   const double perValue = high > low ? (size - 1.0) / (high - low) : 0.0;
   block.prefix = { perValue, 1.0 - low * perValue, size, CloseCells };

@@ -2,6 +2,7 @@
 
 #include "AllCores.h"
 #include "Scene/ExactTransferFunction.h"
+#include "Scene/TransferFunctionTable.h"
 
 #include <glm/common.hpp>
 #include <glm/vec3.hpp>
@@ -98,6 +99,12 @@ void BuildPrefixTable(TransferFunction& function)
     total += mean;
   }
   function.OneColor = HaveOneColor(means, total);
+  // Between two entries of the table there may be another.
+  if (!function.OneColor ||
+    (function.Color && !IsColor(glm::vec3(total / std::max(total.w, 1.0e-300)), *function.Color)))
+  {
+    function.Color.reset();
+  }
   const double color = std::max({ total.x, total.y, total.z });
   function.PrefixColorUnit = color / LargestUnits;
   function.PrefixExtinctionUnit = total.w / LargestUnits;

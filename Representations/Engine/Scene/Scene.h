@@ -19,6 +19,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -124,6 +125,9 @@ struct TransferFunction
   double PrefixColorUnit = 0.0;      // extinction times colour per unit and entry
   double PrefixExtinctionUnit = 0.0; // extinction per unit and entry
   bool OneColor = false;             // all that is seen has the same colour
+
+  /// The colour of all that can be seen, if it is one: then tables need extinctions alone.
+  std::optional<glm::vec3> Color;
 
   /// Factor of the extinction by gradient magnitude from GradientLow to GradientHigh (data units);
   /// empty without gradient opacity.

@@ -195,6 +195,20 @@ void RefuseUnsupported(
   }
 }
 
+// Between two entries of the table of the function there may be another colour.
+void KeepColorOfSegments(TransferFunction& function)
+{
+  const std::vector<glm::vec4>& entries = *function.Segments;
+  const bool same = function.Color &&
+    std::all_of(entries.begin(), entries.end(),
+      [&function](const glm::vec4& entry)
+      { return entry.w <= 0.0f || IsColor(glm::vec3(entry), *function.Color); });
+  if (!same)
+  {
+    function.Color.reset();
+  }
+}
+
 double MeanEdge(const Volume& volume)
 {
   const glm::dmat3 edges(volume.VoxelToData);
@@ -234,6 +248,7 @@ void SceneBuilder::BuildFunction(vtkVolumeProperty* property, Scene& scene, int 
       this->Segments.Build(this->Function, { length, perVoxel });
       this->Function.SegmentSize = this->Segments.GetSize();
       this->Function.Segments = this->Segments.GetEntries();
+      KeepColorOfSegments(this->Function);
       ExtendStamp(this->Function.Stamp, length);
       ExtendStamp(this->Function.Stamp, perVoxel);
     }

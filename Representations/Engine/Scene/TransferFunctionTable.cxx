@@ -6,8 +6,11 @@
 #include "vtkPiecewiseFunction.h"
 #include "vtkVolumeProperty.h"
 
+#include <glm/common.hpp>
+
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
 
 namespace volumebench
@@ -95,6 +98,29 @@ namespace
 {
 constexpr int GradientTableSize = 1024;
 
+// The colour of all entries that add to what is seen, if it is one: those with extinction, and
+// their neighbours, with which they are filtered.
+std::optional<glm::vec3> ColorOf(const std::vector<glm::vec4>& table)
+{
+  std::optional<glm::vec3> color;
+  for (std::size_t i = 0; i < table.size(); ++i)
+  {
+    const bool seen = table[i].w > 0.0f || (i > 0 && table[i - 1].w > 0.0f) ||
+      (i + 1 < table.size() && table[i + 1].w > 0.0f);
+    const glm::vec3 own(table[i]);
+    if (!seen)
+    {
+      continue;
+    }
+    color = color.value_or(own); // the first
+    if (!IsColor(own, *color))
+    {
+      return {};
+    }
+  }
+  return color;
+}
+
 // Asks HasGradientOpacity first: reading the function creates one, which would slow VTK's mappers.
 void FillGradientTable(vtkVolumeProperty* property, TransferFunction& result)
 {
@@ -121,6 +147,13 @@ void FillGradientTable(vtkVolumeProperty* property, TransferFunction& result)
   }
   ExtendStamp(result.Stamp, function->GetMTime());
 }
+}
+
+bool IsColor(const glm::vec3& first, const glm::vec3& second)
+{
+  constexpr float Rounding = 3.0e-7f;
+  const glm::vec3 off = glm::abs(first - second);
+  return std::max({ off.x, off.y, off.z }) <= Rounding;
 }
 
 double CheckedUnitDistance(vtkVolumeProperty* property)
@@ -155,6 +188,7 @@ TransferFunction BuildTransferFunction(vtkVolumeProperty* property, const double
   const int size = ChooseDomains(functions, dataRange, colorRange, sizes, result);
   Fill(functions, unitDistance, size, result);
 
+  result.Color = ColorOf(result.Table);
   result.UnitDistance = unitDistance;
   FillGradientTable(property, result);
 

@@ -16,6 +16,9 @@ VOLUMEBENCHENGINE_EXPORT double ExtinctionOfOpacity(double opacity, double unitD
 /// Data units over which the opacities of component 0 are given. Throws SceneError unless positive.
 VOLUMEBENCHENGINE_EXPORT double CheckedUnitDistance(vtkVolumeProperty* property);
 
+/// Whether two colours are one up to the rounding of functions and tables.
+VOLUMEBENCHENGINE_EXPORT bool IsColor(const glm::vec3& first, const glm::vec3& second);
+
 struct TableSizes
 {
   int Largest = 16384; // entries that the device takes
