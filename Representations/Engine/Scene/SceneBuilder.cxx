@@ -198,7 +198,7 @@ void RefuseUnsupported(
 // Between two entries of the table of the function there may be another colour.
 void KeepColorOfSegments(TransferFunction& function)
 {
-  const std::vector<glm::vec4>& entries = *function.Segments;
+  const SharedTable<glm::vec4>& entries = function.Segments;
   const bool same = function.Color &&
     std::all_of(entries.begin(), entries.end(),
       [&function](const glm::vec4& entry)

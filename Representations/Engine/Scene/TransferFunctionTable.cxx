@@ -100,7 +100,7 @@ constexpr int GradientTableSize = 1024;
 
 // The colour of all entries that add to what is seen, if it is one: those with extinction, and
 // their neighbours, with which they are filtered.
-std::optional<glm::vec3> ColorOf(const std::vector<glm::vec4>& table)
+std::optional<glm::vec3> ColorOf(const SharedTable<glm::vec4>& table)
 {
   std::optional<glm::vec3> color;
   for (std::size_t i = 0; i < table.size(); ++i)
