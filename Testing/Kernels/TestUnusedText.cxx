@@ -32,7 +32,7 @@ const std::vector<FeatureWord>& FeatureWords()
     { "jitterOf", { F::Jitter } },
     { "hashOf", { F::Jitter } },
     { "isFinished", { F::Termination } },
-    { "steppedFourTimes", { F::Compensation } },
+    { "march.lost", { F::Compensation } },
     { "opaqueDepthTexture", { F::OpaqueDepth } },
     { "viewDepthOfWindowDepth", { F::OpaqueDepth } },
     { "clipToCrop", { F::Crop, F::CropRegions } },
