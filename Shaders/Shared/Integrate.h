@@ -213,7 +213,8 @@ FUNC vec4 integrate(SCENE_PARAM Ray ray, Interval interval)
     {
 #if WITH_SKIPPING
       march = jumped(SCENE cells, ray, interval, march, end);
-      march.front = stepEndAt(SCENE ray, stepBeginOf(SCENE ray, interval, march.index));
+      real front = min(stepBeginOf(SCENE ray, interval, march.index), interval.end);
+      march.front = stepEndAt(SCENE ray, front);
 #endif
       march = steppedOn(SCENE ray, interval, march);
 #if WITH_COMPENSATION
