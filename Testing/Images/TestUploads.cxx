@@ -19,6 +19,8 @@ double Half(double i, double, double)
 vtkSmartPointer<vtkVolumeProperty> PropertyUpTo(double opacity)
 {
   auto property = MakeConstantProperty(0.0);
+  property->GetRGBTransferFunction()->AddRGBPoint(
+    1.0, 0.2, 0.4, 1.0); // one colour has a kernel of its own
   vtkNew<vtkPiecewiseFunction> function;
   function->AddPoint(0.0, 0.0);
   function->AddPoint(1.0, opacity);
