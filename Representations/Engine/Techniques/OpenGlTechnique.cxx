@@ -52,9 +52,10 @@ const GlProgram& OpenGlTechnique::ProgramOf(
 void OpenGlTechnique::Render(const Scene& scene, vtkOpenGLRenderWindow* window)
 {
   const GlContextGuard guard(window);
-  const glm::ivec4 rectangle = ScreenRectangle(scene);
+  const bool all = !this->LeavesSpaceOut();
+  const glm::ivec4 rectangle = all ? BoxRectangle(scene) : ScreenRectangle(scene);
   this->Stages.Begin(scene.Measurement.TimeStages);
-  if (rectangle.z > 0 && rectangle.w > 0 && !scene.Clip.Empty && !IsTransparent(scene))
+  if (rectangle.z > 0 && rectangle.w > 0 && !scene.Clip.Empty && (all || !IsTransparent(scene)))
   {
     window->GetState()->vtkglDisable(GL_SCISSOR_TEST);
     if (Has(this->Features, Feature::OpaqueDepth))

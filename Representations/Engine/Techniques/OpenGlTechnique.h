@@ -41,12 +41,16 @@ protected:
   /// Whether the kernels read the volume and its functions from textures; without, none are made.
   virtual bool ReadsTextures() const { return true; }
 
+  /// Whether what the tables show as empty may be left out; not where no table is looked up.
+  virtual bool LeavesSpaceOut() const { return true; }
+
   /// Asks for the programs of the frame by ProgramOf, so that drawing compiles nothing.
   virtual void Compile(const Scene& scene) = 0;
 
   /// Draws. `rectangle` (x, y, width, height in window pixels) holds all that can be seen of the
-  /// volume and is not empty; the scene's block is bound. Textures of the technique's own, one texel
-  /// to a pixel, hold what BoxRectangle gives, so that rounding does not depend on what is seen.
+  /// volume and is not empty; the scene's block is bound. Textures of the technique's own, one
+  /// texel to a pixel, hold what BoxRectangle gives, so that rounding does not depend on what is
+  /// seen.
   virtual void Draw(
     const Scene& scene, vtkOpenGLRenderWindow* window, const glm::ivec4& rectangle) = 0;
 

@@ -22,6 +22,7 @@ public:
 protected:
   FeatureSet FeaturesFor(const Scene& scene) const override;
   bool ReadsTextures() const override { return false; }
+  bool LeavesSpaceOut() const override { return false; }
   void Compile(const Scene& scene) override;
 
   /// Throws AbortedError when the window's abort check says so.
@@ -40,7 +41,7 @@ private:
     ChangeStamp FunctionStamp = 0;
     FeatureSet Features;
     ReferenceMethod Method = ReferenceMethod::CellExact;
-    double StepVoxels = 0.0; // of the method Midpoint
+    double StepVoxels = 0.0;        // of the method Midpoint
     std::vector<float> WindowDepth; // empty without opaque geometry
 
     bool operator==(const Key& other) const;
