@@ -112,6 +112,7 @@ def check_scaling() -> None:
         ],
         "transfer_functions": ["shell-wall"],
         "techniques": ["single-pass"],
+        "technique_settings": {"single-pass": {"skipping": [False]}},
         "step_voxels": [1],
         "image_sizes": [[64, 64]],
         "paths": ["engine"],

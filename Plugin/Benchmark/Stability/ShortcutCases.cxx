@@ -86,7 +86,7 @@ void MeasureShortcuts(Trial& trial)
   vtkPiecewiseFunction* opacity = shot.Property->GetScalarOpacity();
   opacity->RemoveAllPoints();
   opacity->AddPoint(2.0, 0.0);
-  opacity->AddPoint(4.0, OpacityOfExtinction(0.4));
+  opacity->AddPoint(4.0, OpacityOfExtinction(0.2));
   const FloatPicture usual = trial.Draw(shot);
   for (const Shortcut& shortcut : Shortcuts())
   {
