@@ -5,7 +5,7 @@ import shutil
 import sys
 from typing import Any
 
-from parallel import MPI, run, server, start
+from parallel import MPI, run_client_of_server, start
 from paraview import simple
 from support import (
     LABEL,
@@ -184,8 +184,7 @@ def check_two_ranks_refuse() -> None:
 
 
 def check_client_and_server_refuse() -> None:
-    with server() as port:
-        run([shutil.which("pvpython"), __file__, "client", str(port)])
+    run_client_of_server(__file__)
 
 
 def ask_server(port: int) -> None:

@@ -253,6 +253,12 @@ def server(launcher: list[str] | None = None) -> Iterator[int]:
             process.wait(timeout=30)
 
 
+def run_client_of_server(script: str) -> None:
+    """Run the script in a client as "client PORT", beside a server at that port."""
+    with server() as port:
+        run([shutil.which("pvpython"), script, "client", str(port)])
+
+
 def wait_for(ready: Any, process: subprocess.Popen) -> None:
     end = time.monotonic() + 60
     while not ready():

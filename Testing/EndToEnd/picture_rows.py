@@ -2,13 +2,12 @@
 
 import math
 import re
-import shutil
 import sys
 from typing import Any
 
 import numpy as np
 from paraview import simple
-from parallel import run, server
+from parallel import run_client_of_server
 from support import (
     ERRORS,
     SIZE,
@@ -194,8 +193,7 @@ def scale_of(display: Any) -> float:
 
 
 def check_client_and_server() -> None:
-    with server() as port:
-        run([shutil.which("pvpython"), __file__, "client", str(port)])
+    run_client_of_server(__file__)
 
 
 def ask_server(port: int) -> None:
