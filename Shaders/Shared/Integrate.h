@@ -188,6 +188,37 @@ FUNC March steppedOn(SCENE_PARAM Ray ray, Interval interval, March march)
   return stepped(SCENE ray, interval, march);
 }
 
+#if LANES <= 1
+// Follows a ray from its step `first` on, a few steps at a time.
+FUNC March marchFrom(SCENE_PARAM Ray ray, Interval interval, int first, int end)
+{
+  March march = startOfMarch(first);
+#if WITH_SKIPPING
+  CellRay cells = cellRayOf(SCENE ray);
+#else
+  march.front = stepEndAt(SCENE ray, stepBeginOf(SCENE ray, interval, first));
+#endif
+  do
+  {
+#if WITH_SKIPPING
+    march = jumped(SCENE cells, ray, interval, march, end);
+    real front = min(stepBeginOf(SCENE ray, interval, march.index), interval.end);
+    march.front = stepEndAt(SCENE ray, front);
+#endif
+    march = steppedOn(SCENE ray, interval, march);
+#if WITH_COMPENSATION
+    // Mesa's llvmpipe leaves the loops of a kernel for good after 65535 rounds of all of them, so
+    // each takes 32 samples; what is longer still is refused (MostSteps in Scene/Features.h).
+    march = steppedOn(SCENE ray, interval, steppedOn(SCENE ray, interval, march));
+    march = steppedOn(SCENE ray, interval, steppedOn(SCENE ray, interval, march));
+    march = steppedOn(SCENE ray, interval, steppedOn(SCENE ray, interval, march));
+    march = steppedOn(SCENE ray, interval, march);
+#endif
+  } while (goesOn(SCENE march, end));
+  return march;
+}
+#endif
+
 // The pixel of the part of a ray in the interval.
 FUNC vec4 integrate(SCENE_PARAM Ray ray, Interval interval)
 {
@@ -201,32 +232,11 @@ FUNC vec4 integrate(SCENE_PARAM Ray ray, Interval interval)
   end = stepIndexAt(SCENE ray, interval, occupied.end, REAL(1.0) + margin, first, count);
   end = occupied.end > occupied.begin ? end : first;
 #endif
-  March march = startOfMarch(first);
-  if (first < end)
-  {
-#if WITH_SKIPPING
-    CellRay cells = cellRayOf(SCENE ray);
+#if LANES > 1
+  March march = marchOf(SCENE alongLanes(SCENE ray, interval, first, end), first);
 #else
-    march.front = stepEndAt(SCENE ray, stepBeginOf(SCENE ray, interval, first));
+  March march = first < end ? marchFrom(SCENE ray, interval, first, end) : startOfMarch(first);
 #endif
-    do
-    {
-#if WITH_SKIPPING
-      march = jumped(SCENE cells, ray, interval, march, end);
-      real front = min(stepBeginOf(SCENE ray, interval, march.index), interval.end);
-      march.front = stepEndAt(SCENE ray, front);
-#endif
-      march = steppedOn(SCENE ray, interval, march);
-#if WITH_COMPENSATION
-      // Mesa's llvmpipe leaves the loops of a kernel for good after 65535 rounds of all of them, so
-      // each takes 32 samples; what is longer still is refused (MostSteps in Scene/Features.h).
-      march = steppedOn(SCENE ray, interval, steppedOn(SCENE ray, interval, march));
-      march = steppedOn(SCENE ray, interval, steppedOn(SCENE ray, interval, march));
-      march = steppedOn(SCENE ray, interval, steppedOn(SCENE ray, interval, march));
-      march = steppedOn(SCENE ray, interval, march);
-#endif
-    } while (goesOn(SCENE march, end));
-  }
   return pixelOf(SCENE march, count);
 }
 

@@ -1,0 +1,124 @@
+// Field and functions at the places of all lanes, from linear arrays: what the samplers of a
+// texture are to one place. x runs fastest; two neighbours in x are read at once.
+
+// Where the field is looked up along one axis: the texel below, and the share of the one above it.
+typedef struct LaneTexels
+{
+  laneInts texel;
+  lanes share;
+} LaneTexels;
+
+FUNC LaneTexels texelsAt(lanes place, float size)
+{
+  // The order of min and max makes 0 of NaN.
+  place = min(max(place, 0.0f), size - 1.0f);
+  lanes below = min(floor(place), max(size - 2.0f, 0.0f));
+  LaneTexels at;
+  at.texel = INTS_OF(below);
+  at.share = place - below;
+  return at;
+}
+
+// The field between two texels in x and the next ones, of all lanes.
+FUNC lanes fieldInRow(global const VolumeTexel* texels, laneInts at, lanes share)
+{
+#if VOLUME_IS_FLOAT
+  lanes low;
+  lanes high;
+#define READ_PAIR(i)                                                                               \
+  {                                                                                                \
+    float2 pair = vload2(0, texels + at.s##i);                                                     \
+    low.s##i = pair.x;                                                                             \
+    high.s##i = pair.y;                                                                            \
+  }
+  EACH_LANE(READ_PAIR)
+#undef READ_PAIR
+#else
+  laneInts pairs;
+#define READ_PAIR(i) pairs.s##i = *(global const TexelPair*)(texels + at.s##i);
+  EACH_LANE(READ_PAIR)
+#undef READ_PAIR
+  lanes low = FLOATS_OF(pairs & 65535);
+  lanes high = FLOATS_OF((pairs >> 16) & 65535);
+#endif
+  return low + share * (high - low);
+}
+
+// The field at distances along a ray.
+FUNC lanes fieldAtLanes(SCENE_PARAM Ray ray, lanes along)
+{
+  float4 size = scene.textureSize;
+  LaneTexels x = texelsAt(
+    (ray.textureOrigin.x * size.x - 0.5f) + along * (ray.textureDirection.x * size.x), size.x);
+  LaneTexels y = texelsAt(
+    (ray.textureOrigin.y * size.y - 0.5f) + along * (ray.textureDirection.y * size.y), size.y);
+  LaneTexels z = texelsAt(
+    (ray.textureOrigin.z * size.z - 0.5f) + along * (ray.textureDirection.z * size.z), size.z);
+  int row = (int)size.x;
+  int slice = row * (int)size.y;
+  int nextRow = size.y > 1.0f ? row : 0;
+  int nextSlice = size.z > 1.0f ? slice : 0;
+  laneInts at = x.texel + row * y.texel + slice * z.texel;
+  global const VolumeTexel* texels = volumeTexels;
+  lanes nearLow = fieldInRow(texels, at, x.share);
+  lanes nearHigh = fieldInRow(texels + nextRow, at, x.share);
+  lanes farLow = fieldInRow(texels + nextSlice, at, x.share);
+  lanes farHigh = fieldInRow(texels + (nextSlice + nextRow), at, x.share);
+  lanes nearSide = nearLow + y.share * (nearHigh - nearLow);
+  lanes farSide = farLow + y.share * (farHigh - farLow);
+  lanes field = nearSide + z.share * (farSide - nearSide);
+#if VOLUME_IS_FLOAT
+  return field;
+#else
+  return field * (1.0f / 65535.0f);
+#endif
+}
+
+// Colour and extinction of all lanes.
+typedef struct LaneColors
+{
+  lanes red;
+  lanes green;
+  lanes blue;
+  lanes extinction;
+} LaneColors;
+
+FUNC LaneColors classifiedLanes(SCENE_PARAM lanes value)
+{
+  float last = TABLE_SIZE - 1.0f;
+  lanes place = (value * scene.classification.x + scene.classification.y) * TABLE_SIZE - 0.5f;
+  place = min(max(place, 0.0f), last);
+  lanes below = min(floor(place), max(last - 1.0f, 0.0f));
+  lanes share = place - below;
+  laneInts entry = INTS_OF(below);
+  LaneColors colors;
+#if WITH_ONE_COLOR
+  lanes low;
+  lanes high;
+#define READ_ENTRY(i)                                                                              \
+  {                                                                                                \
+    float2 pair = vload2(0, tableEntries + entry.s##i);                                            \
+    low.s##i = pair.x;                                                                             \
+    high.s##i = pair.y;                                                                            \
+  }
+  EACH_LANE(READ_ENTRY)
+#undef READ_ENTRY
+  colors.extinction = low + share * (high - low);
+  colors.red = scene.oneColor.x;
+  colors.green = scene.oneColor.y;
+  colors.blue = scene.oneColor.z;
+#else
+#define READ_ENTRY(i)                                                                              \
+  {                                                                                                \
+    float4 low = tableEntries[entry.s##i];                                                         \
+    float4 mixed = low + share.s##i * (tableEntries[entry.s##i + 1] - low);                        \
+    colors.red.s##i = mixed.x;                                                                     \
+    colors.green.s##i = mixed.y;                                                                   \
+    colors.blue.s##i = mixed.z;                                                                    \
+    colors.extinction.s##i = mixed.w;                                                              \
+  }
+  EACH_LANE(READ_ENTRY)
+#undef READ_ENTRY
+#endif
+  return colors;
+}

@@ -1,0 +1,237 @@
+// The integrator Segment for steps side by side: see Shared/Segment.h, whose formulas these are.
+#if WITH_SEGMENT
+
+// Prefix integrals, or what they grow by, in units that are whole numbers.
+typedef struct LanePrefix
+{
+#if !WITH_ONE_COLOR
+  laneInts red;
+  laneInts green;
+  laneInts blue;
+#endif
+  laneInts all;
+} LanePrefix;
+
+// The same as numbers, such as a mean over values.
+typedef struct LaneMean
+{
+#if !WITH_ONE_COLOR
+  lanes red;
+  lanes green;
+  lanes blue;
+#endif
+  lanes all;
+} LaneMean;
+
+// The field at ends of steps, or of their halves.
+typedef struct LaneEnds
+{
+  lanes value;
+  lanes hold;
+  laneInts cell;
+  lanes inCell;
+  LanePrefix before; // prefix integrals at the beginning of the cell
+  LanePrefix growth; // and what they grow by in it
+  laneInts coarse;
+  LaneColors seen;
+} LaneEnds;
+
+#if WITH_ONE_COLOR
+FUNC LaneEnds withPrefixes(SCENE_PARAM LaneEnds ends)
+{
+  lanes position = ends.value * scene.prefix.x + scene.prefix.y;
+  lanes cell = max(0.0f, min(floor(position), scene.prefix.z));
+  ends.cell = INTS_OF(cell);
+  ends.inCell = position - cell;
+  laneInts before;
+  laneInts after;
+#define READ_PREFIX(i)                                                                             \
+  {                                                                                                \
+    int2 pair = vload2(0, prefixTable + ends.cell.s##i);                                           \
+    before.s##i = pair.x;                                                                          \
+    after.s##i = pair.y;                                                                           \
+  }
+  EACH_LANE(READ_PREFIX)
+#undef READ_PREFIX
+  ends.coarse = before < 0;
+  ends.before.all = before ^ (before >> 31);
+  ends.growth.all = (after ^ (after >> 31)) - ends.before.all;
+  ends.seen = classifiedLanes(SCENE ends.value);
+  return ends;
+}
+#else
+FUNC LaneEnds withPrefixes(SCENE_PARAM LaneEnds ends)
+{
+  lanes position = ends.value * scene.prefix.x + scene.prefix.y;
+  lanes cell = max(0.0f, min(floor(position), scene.prefix.z));
+  ends.cell = INTS_OF(cell);
+  ends.inCell = position - cell;
+  LanePrefix before;
+  LanePrefix growth;
+#define READ_PREFIX(i)                                                                             \
+  {                                                                                                \
+    int4 low = prefixTable[ends.cell.s##i];                                                        \
+    int4 change = prefixTable[ends.cell.s##i + 1] - low;                                           \
+    before.red.s##i = low.x;                                                                       \
+    before.green.s##i = low.y;                                                                     \
+    before.blue.s##i = low.z;                                                                      \
+    before.all.s##i = low.w;                                                                       \
+    growth.red.s##i = change.x;                                                                    \
+    growth.green.s##i = change.y;                                                                  \
+    growth.blue.s##i = change.z;                                                                   \
+    growth.all.s##i = change.w;                                                                    \
+  }
+  EACH_LANE(READ_PREFIX)
+#undef READ_PREFIX
+  ends.before = before;
+  ends.growth = growth;
+  ends.coarse = (before.red & 1) == 1;
+  ends.seen = classifiedLanes(SCENE ends.value);
+  return ends;
+}
+#endif
+
+FUNC LaneEnds laneEndsAt(SCENE_PARAM Ray ray, lanes along)
+{
+  LaneEnds ends;
+  ends.value = fieldAtLanes(SCENE ray, along);
+  ends.hold = 0.0f;
+  return withPrefixes(SCENE ends);
+}
+
+// The ends between the halves of steps, from the field in the middle: bentMiddle.
+FUNC LaneEnds bentMiddles(SCENE_PARAM LaneEnds front, lanes middle, LaneEnds back)
+{
+  lanes ends = front.value + back.value;
+  lanes low = min(middle, min(front.value, back.value));
+  lanes high = max(middle, max(front.value, back.value));
+  lanes bend = (8.0f * middle - ends) * 0.16666666666666667f;
+  LaneEnds bent;
+  bent.value = max(low, min(bend, high));
+  lanes overMean = bent.value - 0.25f * (ends + 2.0f * bent.value);
+  lanes missing = 0.5f * (bend - bent.value);
+  bent.hold = fabs(missing) < fabs(overMean) ? missing / overMean : (lanes)(0.0f);
+  return withPrefixes(SCENE bent);
+}
+
+// One component of the mean over the values between two ends; the shares are those of prefixMean.
+FUNC lanes meanOf(laneInts rising, laneInts frontBefore, laneInts frontGrowth, laneInts backBefore,
+  laneInts backGrowth, lanes frontShare, lanes backShare, lanes moving)
+{
+  laneInts between =
+    rising ? backBefore - (frontBefore + frontGrowth) : frontBefore - (backBefore + backGrowth);
+  return frontShare * FLOATS_OF(frontGrowth) + backShare * FLOATS_OF(backGrowth) +
+    moving * FLOATS_OF(between);
+}
+
+FUNC LaneMean prefixMeans(LaneEnds front, LaneEnds back)
+{
+  laneInts same = front.cell == back.cell;
+  laneInts rising = front.cell < back.cell;
+  lanes frontShare = rising ? 1.0f - front.inCell : front.inCell;
+  lanes backShare = rising ? back.inCell : 1.0f - back.inCell;
+  lanes cells = FLOATS_OF(abs_diff(front.cell, back.cell)) - 1.0f;
+  lanes moving = (1.0f - front.hold - back.hold) / (frontShare + backShare + cells);
+  // Within one cell there is nothing between and the front's growth is the mean.
+  moving = same ? (lanes)(0.0f) : moving;
+  frontShare = same ? (lanes)(1.0f) : moving * frontShare + front.hold;
+  backShare = same ? (lanes)(0.0f) : moving * backShare + back.hold;
+  LaneMean mean;
+#define MEAN_OF(part)                                                                              \
+  meanOf(rising, front.before.part, front.growth.part, back.before.part, back.growth.part,         \
+    frontShare, backShare, moving)
+  mean.all = MEAN_OF(all);
+#if !WITH_ONE_COLOR
+  mean.red = MEAN_OF(red);
+  mean.green = MEAN_OF(green);
+  mean.blue = MEAN_OF(blue);
+#endif
+#undef MEAN_OF
+  return mean;
+}
+
+#if WITH_STIFF_STEPS
+// frontWeight in Shared/Segment.h.
+FUNC lanes frontWeights(lanes depth)
+{
+  lanes square = depth * depth;
+  lanes series = depth * (0.16666667f - square * (0.0027777778f - square * 6.6137566e-5f));
+  lanes passing = exp(-depth);
+  lanes closed = 1.0f - 2.0f / max(depth, 0.5f) + 2.0f * passing / max(1.0f - passing, 0.25f);
+  return depth < (lanes)(0.5f) ? series : closed;
+}
+
+// frontOfProfile in Shared/Segment.h, of one component, and weighed.
+FUNC lanes towardsFront(lanes first, lanes last, lanes mean, lanes weight)
+{
+  lanes low = min(mean, min(first, last));
+  lanes high = max(mean, max(first, last));
+  lanes front = mean - 0.5f * (last - first);
+  lanes twice = 2.0f * mean;
+  front = max(max(low, twice - high), min(front, min(high, twice - low)));
+  return mean + weight * (front - mean);
+}
+#endif
+
+// Colour and mean extinction of half steps of a length in data units: classifyBetween.
+FUNC LaneColors classifiedBetween(SCENE_PARAM LaneEnds front, LaneEnds back, lanes stepLength)
+{
+  LaneMean mean = prefixMeans(front, back);
+  laneInts filled = mean.all > 0.0f;
+  lanes cells = fabs(back.value - front.value) * scene.prefix.x;
+  laneInts narrow = cells < scene.prefix.w && !front.coarse && !back.coarse;
+  LaneColors colors;
+  colors.extinction =
+    narrow ? 0.5f * (front.seen.extinction + back.seen.extinction) : mean.all * scene.prefixUnits.y;
+#if WITH_ONE_COLOR
+  colors.red = scene.oneColor.x;
+  colors.green = scene.oneColor.y;
+  colors.blue = scene.oneColor.z;
+#else
+  laneInts few = narrow || mean.all * max(1.0f, cells) < scene.prefixUnits.z;
+  lanes toColor = scene.prefixUnits.x / (filled ? mean.all * scene.prefixUnits.y : (lanes)(1.0f));
+  colors.red = few ? 0.5f * (front.seen.red + back.seen.red) : toColor * mean.red;
+  colors.green = few ? 0.5f * (front.seen.green + back.seen.green) : toColor * mean.green;
+  colors.blue = few ? 0.5f * (front.seen.blue + back.seen.blue) : toColor * mean.blue;
+#endif
+  colors.extinction = filled ? colors.extinction : (lanes)(0.0f);
+#if WITH_STIFF_STEPS
+  lanes weight = frontWeights(colors.extinction * stepLength);
+  colors.red = towardsFront(front.seen.red, back.seen.red, colors.red, weight);
+  colors.green = towardsFront(front.seen.green, back.seen.green, colors.green, weight);
+  colors.blue = towardsFront(front.seen.blue, back.seen.blue, colors.blue, weight);
+#endif
+  return colors;
+}
+
+// Two parts of steps, one behind the other.
+FUNC LaneSteps oneBehind(LaneSteps near, LaneSteps far)
+{
+  lanes passing = 1.0f - near.opacity;
+  near.red += passing * far.red;
+  near.green += passing * far.green;
+  near.blue += passing * far.blue;
+  near.opacity += passing * far.opacity;
+  near.depth += far.depth;
+  return near;
+}
+
+FUNC LaneSums steppedLanes(
+  SCENE_PARAM Ray ray, Interval interval, LaneSums sums, laneInts index, int count)
+{
+  lanes begin = stepBeginsOf(SCENE ray, interval, index);
+  lanes width = stepWidthsOf(SCENE ray, interval, index, begin);
+  width = LANE_NUMBERS < count ? width : (lanes)(0.0f);
+  lanes halfWidth = 0.5f * width;
+  LaneEnds front = laneEndsAt(SCENE ray, min(begin, interval.end));
+  LaneEnds back = laneEndsAt(SCENE ray, begin + width);
+  lanes field = fieldAtLanes(SCENE ray, begin + halfWidth);
+  LaneEnds middle = bentMiddles(SCENE front, field, back);
+  lanes halfLength = halfWidth * ray.lengthPerUnit;
+  LaneColors nearColors = classifiedBetween(SCENE front, middle, halfLength);
+  LaneColors farColors = classifiedBetween(SCENE middle, back, halfLength);
+  LaneSteps steps = oneBehind(stepsOf(nearColors, nearColors.extinction * halfLength),
+    stepsOf(farColors, farColors.extinction * halfLength));
+  return withSteps(SCENE sums, steps, index, width);
+}
+#endif
