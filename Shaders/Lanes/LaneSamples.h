@@ -108,17 +108,20 @@ FUNC LaneColors classifiedLanes(SCENE_PARAM lanes value)
   colors.green = scene.oneColor.y;
   colors.blue = scene.oneColor.z;
 #else
-#define READ_ENTRY(i)                                                                              \
-  {                                                                                                \
-    float4 low = tableEntries[entry.s##i];                                                         \
-    float4 mixed = low + share.s##i * (tableEntries[entry.s##i + 1] - low);                        \
-    colors.red.s##i = mixed.x;                                                                     \
-    colors.green.s##i = mixed.y;                                                                   \
-    colors.blue.s##i = mixed.z;                                                                    \
-    colors.extinction.s##i = mixed.w;                                                              \
-  }
-  EACH_LANE(READ_ENTRY)
-#undef READ_ENTRY
+#define READ_LOW(i) tableEntries[entry.s##i]
+#define READ_HIGH(i) tableEntries[entry.s##i + 1]
+#define READ_SHARE(i) ((float4)(share.s##i))
+#define MIXED_ROW(ROW) (ROW(READ_LOW) + ROW(READ_SHARE) * (ROW(READ_HIGH) - ROW(READ_LOW)))
+  LaneQuads mixed = fromRows(
+    MIXED_ROW(LANE_ROW_0), MIXED_ROW(LANE_ROW_1), MIXED_ROW(LANE_ROW_2), MIXED_ROW(LANE_ROW_3));
+#undef MIXED_ROW
+#undef READ_SHARE
+#undef READ_HIGH
+#undef READ_LOW
+  colors.red = mixed.x;
+  colors.green = mixed.y;
+  colors.blue = mixed.z;
+  colors.extinction = mixed.w;
 #endif
   return colors;
 }

@@ -60,32 +60,31 @@ FUNC LaneEnds withPrefixes(SCENE_PARAM LaneEnds ends)
   return ends;
 }
 #else
+FUNC LanePrefix prefixesOf(LaneQuads bits)
+{
+  LanePrefix prefix;
+  prefix.red = AS_INTS(bits.x);
+  prefix.green = AS_INTS(bits.y);
+  prefix.blue = AS_INTS(bits.z);
+  prefix.all = AS_INTS(bits.w);
+  return prefix;
+}
+
 FUNC LaneEnds withPrefixes(SCENE_PARAM LaneEnds ends)
 {
   lanes position = ends.value * scene.prefix.x + scene.prefix.y;
   lanes cell = max(0.0f, min(floor(position), scene.prefix.z));
   ends.cell = INTS_OF(cell);
   ends.inCell = position - cell;
-  LanePrefix before;
-  LanePrefix growth;
-#define READ_PREFIX(i)                                                                             \
-  {                                                                                                \
-    int4 low = prefixTable[ends.cell.s##i];                                                        \
-    int4 change = prefixTable[ends.cell.s##i + 1] - low;                                           \
-    before.red.s##i = low.x;                                                                       \
-    before.green.s##i = low.y;                                                                     \
-    before.blue.s##i = low.z;                                                                      \
-    before.all.s##i = low.w;                                                                       \
-    growth.red.s##i = change.x;                                                                    \
-    growth.green.s##i = change.y;                                                                  \
-    growth.blue.s##i = change.z;                                                                   \
-    growth.all.s##i = change.w;                                                                    \
-  }
-  EACH_LANE(READ_PREFIX)
-#undef READ_PREFIX
-  ends.before = before;
-  ends.growth = growth;
-  ends.coarse = (before.red & 1) == 1;
+#define READ_LOW(i) as_float4(prefixTable[ends.cell.s##i])
+#define READ_GROWTH(i) as_float4(prefixTable[ends.cell.s##i + 1] - prefixTable[ends.cell.s##i])
+  ends.before = prefixesOf(fromRows(
+    LANE_ROW_0(READ_LOW), LANE_ROW_1(READ_LOW), LANE_ROW_2(READ_LOW), LANE_ROW_3(READ_LOW)));
+  ends.growth = prefixesOf(fromRows(LANE_ROW_0(READ_GROWTH), LANE_ROW_1(READ_GROWTH),
+    LANE_ROW_2(READ_GROWTH), LANE_ROW_3(READ_GROWTH)));
+#undef READ_GROWTH
+#undef READ_LOW
+  ends.coarse = (ends.before.red & 1) == 1;
   ends.seen = classifiedLanes(SCENE ends.value);
   return ends;
 }
