@@ -19,10 +19,14 @@ FUNC LaneTexels texelsAt(lanes place, float size)
   return at;
 }
 
+#if WITH_UNSIGNED16
+typedef uint __attribute__((aligned(2))) StoredPair; // two neighbours at any address
+#endif
+
 // The field between two texels in x and the next ones, of all lanes.
-FUNC lanes fieldInRow(global const VolumeTexel* texels, laneInts at, lanes share)
+FUNC lanes fieldInRow(global const StoredTexel* texels, laneInts at, lanes share)
 {
-#if VOLUME_IS_FLOAT
+#if !WITH_UNSIGNED16
   lanes low;
   lanes high;
 #define READ_PAIR(i)                                                                               \
@@ -35,7 +39,7 @@ FUNC lanes fieldInRow(global const VolumeTexel* texels, laneInts at, lanes share
 #undef READ_PAIR
 #else
   laneInts pairs;
-#define READ_PAIR(i) pairs.s##i = *(global const TexelPair*)(texels + at.s##i);
+#define READ_PAIR(i) pairs.s##i = *(global const StoredPair*)(texels + at.s##i);
   EACH_LANE(READ_PAIR)
 #undef READ_PAIR
   lanes low = FLOATS_OF(pairs & 65535);
@@ -59,7 +63,7 @@ FUNC lanes fieldAtLanes(SCENE_PARAM Ray ray, lanes along)
   int nextRow = size.y > 1.0f ? row : 0;
   int nextSlice = size.z > 1.0f ? slice : 0;
   laneInts at = x.texel + row * y.texel + slice * z.texel;
-  global const VolumeTexel* texels = volumeTexels;
+  global const StoredTexel* texels = volumeTexels;
   lanes nearLow = fieldInRow(texels, at, x.share);
   lanes nearHigh = fieldInRow(texels + nextRow, at, x.share);
   lanes farLow = fieldInRow(texels + nextSlice, at, x.share);
@@ -67,11 +71,7 @@ FUNC lanes fieldAtLanes(SCENE_PARAM Ray ray, lanes along)
   lanes nearSide = nearLow + y.share * (nearHigh - nearLow);
   lanes farSide = farLow + y.share * (farHigh - farLow);
   lanes field = nearSide + z.share * (farSide - nearSide);
-#if VOLUME_IS_FLOAT
-  return field;
-#else
-  return field * (1.0f / 65535.0f);
-#endif
+  return STORED_SCALE * field;
 }
 
 // Colour and extinction of all lanes.
@@ -85,8 +85,9 @@ typedef struct LaneColors
 
 FUNC LaneColors classifiedLanes(SCENE_PARAM lanes value)
 {
-  float last = TABLE_SIZE - 1.0f;
-  lanes place = (value * scene.classification.x + scene.classification.y) * TABLE_SIZE - 0.5f;
+  float last = (float)tableEntries - 1.0f;
+  lanes place =
+    (value * scene.classification.x + scene.classification.y) * (float)tableEntries - 0.5f;
   place = min(max(place, 0.0f), last);
   lanes below = min(floor(place), max(last - 1.0f, 0.0f));
   lanes share = place - below;
@@ -97,7 +98,7 @@ FUNC LaneColors classifiedLanes(SCENE_PARAM lanes value)
   lanes high;
 #define READ_ENTRY(i)                                                                              \
   {                                                                                                \
-    float2 pair = vload2(0, tableEntries + entry.s##i);                                            \
+    float2 pair = vload2(0, table + entry.s##i);                                                   \
     low.s##i = pair.x;                                                                             \
     high.s##i = pair.y;                                                                            \
   }
@@ -108,8 +109,8 @@ FUNC LaneColors classifiedLanes(SCENE_PARAM lanes value)
   colors.green = scene.oneColor.y;
   colors.blue = scene.oneColor.z;
 #else
-#define READ_LOW(i) tableEntries[entry.s##i]
-#define READ_HIGH(i) tableEntries[entry.s##i + 1]
+#define READ_LOW(i) table[entry.s##i]
+#define READ_HIGH(i) table[entry.s##i + 1]
 #define READ_SHARE(i) ((float4)(share.s##i))
 #define MIXED_ROW(ROW) (ROW(READ_LOW) + ROW(READ_SHARE) * (ROW(READ_HIGH) - ROW(READ_LOW)))
   LaneQuads mixed = fromRows(
