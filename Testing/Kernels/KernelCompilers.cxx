@@ -120,7 +120,8 @@ std::vector<std::string> KernelEntries()
       entries.push_back(path);
     }
   }
-  entries.insert(entries.end(), { "Probe.cl", "Probe.cu", "ProbeFloat.cxx", "ProbeDouble.cxx" });
+  entries.insert(entries.end(),
+    { "ProbeBuffers.cl", "ProbeNearest.cl", "Probe.cu", "ProbeFloat.cxx", "ProbeDouble.cxx" });
   return entries;
 }
 

@@ -36,6 +36,14 @@ TEST(KernelSpecializer, IncludesTheSameFileTwice)
   EXPECT_EQ(text.Source, "#line 1 0\n#line 100001 1\nx\n#line 2 0\n#line 100001 1\nx\n#line 3 0\n");
 }
 
+TEST(KernelSpecializer, NumbersLinesByFileNameForTheCLanguages)
+{
+  const auto lookup =
+    LookupIn({ { "main.cl", "one\n#include \"Shared/a.h\"\nthree\n" }, { "Shared/a.h", "A\n" } });
+  EXPECT_EQ(SpecializeKernel("main.cl", "", lookup, LineStyle::Names).Source,
+    "#line 1 \"main.cl\"\none\n#line 1 \"Shared/a.h\"\nA\n#line 3 \"main.cl\"\nthree\n");
+}
+
 TEST(KernelSpecializer, LeavesOtherLinesAlone)
 {
   const auto lookup = LookupIn({ { "m", "// #include \"a\"\n#if X\n" } });

@@ -11,9 +11,10 @@ namespace
 class Expander
 {
 public:
-  Expander(const KernelLookup& lookup, KernelText& text)
+  Expander(const KernelLookup& lookup, KernelText& text, LineStyle style)
     : Lookup(lookup)
     , Text(text)
+    , Style(style)
   {
   }
 
@@ -60,6 +61,12 @@ private:
 
   void EmitLine(int line, std::size_t file)
   {
+    if (this->Style == LineStyle::Names)
+    {
+      this->Text.Source +=
+        "#line " + std::to_string(line) + " \"" + this->Text.Files[file] + "\"\n";
+      return;
+    }
     const std::size_t number = file * LinesPerFile + line;
     this->Text.Source += "#line " + std::to_string(number) + " " + std::to_string(file) + "\n";
   }
@@ -78,12 +85,13 @@ private:
 
   const KernelLookup& Lookup;
   KernelText& Text;
+  const LineStyle Style;
   std::vector<std::string> Open;
 };
 }
 
-KernelText SpecializeKernel(
-  const std::string& entry, const std::string& preamble, const KernelLookup& lookup)
+KernelText SpecializeKernel(const std::string& entry, const std::string& preamble,
+  const KernelLookup& lookup, LineStyle style)
 {
   KernelText text;
   text.Source = preamble;
@@ -91,7 +99,7 @@ KernelText SpecializeKernel(
   {
     text.Source += '\n';
   }
-  Expander(lookup, text).Expand(entry, "");
+  Expander(lookup, text, style).Expand(entry, "");
   return text;
 }
 

@@ -31,10 +31,17 @@ struct KernelText
 /// Returns the text of a kernel file by its path below Shaders/, or null when there is none.
 using KernelLookup = std::function<const char*(const std::string& path)>;
 
+/// What a #line directive calls a file: by its number in GLSL, by its name in the C languages.
+enum class LineStyle
+{
+  Numbers,
+  Names
+};
+
 /// Expands `entry`. `preamble` ends up in front of everything (version line, defines).
 /// Throws KernelError for a missing file or files that include each other.
-VOLUMEBENCHENGINE_EXPORT KernelText SpecializeKernel(
-  const std::string& entry, const std::string& preamble, const KernelLookup& lookup);
+VOLUMEBENCHENGINE_EXPORT KernelText SpecializeKernel(const std::string& entry,
+  const std::string& preamble, const KernelLookup& lookup, LineStyle style = LineStyle::Numbers);
 
 /// Replaces the places in a compiler's log ("2:200014(3): error", "0(200014) : error") by file
 /// names and lines.

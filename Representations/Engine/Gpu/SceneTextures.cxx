@@ -1,5 +1,6 @@
 #include "Gpu/SceneTextures.h"
 
+#include "Gpu/DeviceTables.h"
 #include "Gpu/GlContextGuard.h"
 #include "Gpu/VolumeUpload.h"
 #include "Scene/CellMap.h"
@@ -55,35 +56,6 @@ std::size_t UploadLine(
   const bool single = format.External == GL_RED || format.External == GL_RED_INTEGER;
   const std::size_t channels = single ? 1 : 4;
   return channels * sizeof(float) * static_cast<std::size_t>(width);
-}
-
-std::vector<float> ExtinctionsOf(const SharedTable<glm::vec4>& entries)
-{
-  std::vector<float> extinctions(entries.size());
-  std::transform(entries.begin(), entries.end(), extinctions.begin(),
-    [](const glm::vec4& entry) { return entry.w; });
-  return extinctions;
-}
-
-// As Shaders/Shared/Segment.h has them for one colour: marked entries are complements.
-std::vector<std::int32_t> OneColorPrefix(const SharedTable<glm::ivec4>& entries)
-{
-  std::vector<std::int32_t> prefix(entries.size());
-  std::transform(entries.begin(), entries.end(), prefix.begin(),
-    [](const glm::ivec4& entry) { return (entry.x & 1) != 0 ? ~entry.w : entry.w; });
-  return prefix;
-}
-
-// The features among these that decide which tables there are.
-FeatureSet TablesOf(const FeatureSet& features)
-{
-  FeatureSet tables;
-  for (const Feature feature :
-    { Feature::Segment, Feature::PreIntegrated, Feature::GradientOpacity, Feature::OneColor })
-  {
-    tables.set(static_cast<std::size_t>(feature), Has(features, feature));
-  }
-  return tables;
 }
 
 void DrainErrors()

@@ -27,6 +27,8 @@ ChangeStamp PictureStampOf(const Scene& scene)
   ExtendStamp(stamp, sampling.Slices.Target);
   ExtendStamp(stamp, sampling.Slices.Threads);
   ExtendStamp(stamp, sampling.Slices.BackToFront);
+  ExtendStamp(stamp, sampling.OpenCl.Device);
+  ExtendStamp(stamp, sampling.OpenCl.Storage);
   return stamp;
 }
 }

@@ -184,6 +184,20 @@ struct Slicing
   bool BackToFront = false;
 };
 
+/// Where an OpenCL kernel finds the volume and the tables that it filters.
+enum class OpenClStorage
+{
+  Auto,   // what suits the device
+  Images, // filtered by the device
+  Buffers // filtered by the kernel
+};
+
+struct OpenClChoice
+{
+  std::string Device; // "PLATFORM: DEVICE"; empty for a graphics card, or else a CPU
+  OpenClStorage Storage = OpenClStorage::Auto;
+};
+
 enum class ReferenceMethod
 {
   CellExact,
@@ -203,6 +217,7 @@ struct Sampling
   double TerminationThreshold = 0.0; // remaining transmittance at which a ray stops
   glm::ivec2 WorkGroup{ 0 };         // pixels of a compute work group; 0: to be found by measuring
   Slicing Slices;
+  OpenClChoice OpenCl;
   ReferenceMethod Method = ReferenceMethod::CellExact; // of technique reference
 };
 

@@ -1,0 +1,25 @@
+// The tables of a transfer function in the form that the kernels of some features take, whatever
+// the device.
+#ifndef volumebench_DeviceTables_h
+#define volumebench_DeviceTables_h
+
+#include "Scene/Features.h"
+#include "Scene/Scene.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace volumebench
+{
+/// The extinctions alone, for Feature::OneColor.
+std::vector<float> ExtinctionsOf(const SharedTable<glm::vec4>& entries);
+
+/// Prefix integrals as Shaders/Shared/Segment.h has them for Feature::OneColor: marked entries are
+/// complements.
+std::vector<std::int32_t> OneColorPrefix(const SharedTable<glm::ivec4>& entries);
+
+/// The features among these that decide which tables there are.
+FeatureSet TablesOf(const FeatureSet& features);
+}
+
+#endif

@@ -1,0 +1,310 @@
+#include "OpenCl/OpenClScene.h"
+
+#include "Gpu/DeviceTables.h"
+#include "Gpu/VolumeUpload.h"
+#include "Scene/CellMap.h"
+
+#include <algorithm>
+#include <chrono>
+
+namespace volumebench
+{
+namespace
+{
+constexpr std::size_t SlabBytes = std::size_t(4) << 20;
+
+using Clock = std::chrono::steady_clock;
+
+double MillisecondsSince(Clock::time_point begin)
+{
+  return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
+}
+
+std::size_t Texels(glm::ivec3 size)
+{
+  return static_cast<std::size_t>(size.x) * size.y * size.z;
+}
+
+cl_image_format FormatOf(const Volume& volume)
+{
+  const cl_channel_order order =
+    volume.Channels == 1 ? CL_R : (volume.Channels == 2 ? CL_RG : CL_RGBA);
+  const bool small = volume.Format == TexelFormat::Unsigned16;
+  return { order, static_cast<cl_channel_type>(small ? CL_UNORM_INT16 : CL_FLOAT) };
+}
+
+void CheckImage(const OpenClSession& session, const glm::ivec3& size, bool flat, const char* what)
+{
+  const cl_device_info limits[2][3] = { { CL_DEVICE_IMAGE3D_MAX_WIDTH, CL_DEVICE_IMAGE3D_MAX_HEIGHT,
+                                          CL_DEVICE_IMAGE3D_MAX_DEPTH },
+    { CL_DEVICE_IMAGE2D_MAX_WIDTH, CL_DEVICE_IMAGE2D_MAX_HEIGHT, 0 } };
+  for (int axis = 0; axis < (flat ? 2 : 3); ++axis)
+  {
+    const auto most = session.Limit<std::size_t>(limits[flat ? 1 : 0][axis]);
+    if (static_cast<std::size_t>(size[axis]) > most)
+    {
+      throw SceneError(std::string(what) + " has " + std::to_string(size[axis]) +
+        " entries on axis " + "xyz"[axis] + "; images of the OpenCL device '" +
+        session.GetDevice().Name + "' have at most " + std::to_string(most));
+    }
+  }
+}
+
+// Sends a buffer with nothing behind it.
+template <typename Entries>
+void SendAll(OpenClMemory& memory, OpenClSession& session, const Entries& entries)
+{
+  const std::size_t bytes = entries.size() * sizeof(*entries.data());
+  memory.ResizeBuffer(session, bytes, CL_MEM_READ_ONLY);
+  memory.Write(entries.data(), bytes);
+}
+}
+
+void OpenClScene::Update(
+  const Scene& scene, const FeatureSet& features, OpenClSession& session, bool buffers)
+{
+  if (this->Session != &session || this->Buffers != buffers)
+  {
+    this->Release();
+    this->Session = &session;
+    this->Buffers = buffers;
+  }
+  this->Features = features;
+  this->Nearest = scene.Volume.Nearest;
+  if (scene.Volume.TexelStamp != this->TexelStamp || !this->Volume.IsCreated())
+  {
+    this->TexelStamp = 0;
+    const Clock::time_point begin = Clock::now();
+    this->UpdateVolume(scene.Volume);
+    this->UpdateBlanking(scene.Volume);
+    this->UploadMs = MillisecondsSince(begin);
+    this->TexelStamp = scene.Volume.TexelStamp;
+  }
+  if (scene.TransferFunction.Stamp != this->TableStamp ||
+    TablesOf(features) != this->TableFeatures || !this->Classification.Used)
+  {
+    this->TableStamp = 0;
+    const Clock::time_point begin = Clock::now();
+    this->UpdateTables(scene.TransferFunction);
+    this->TablesMs = MillisecondsSince(begin);
+    this->TableStamp = scene.TransferFunction.Stamp;
+    this->TableFeatures = TablesOf(features);
+  }
+  this->UpdateCells(scene.Skipping);
+}
+
+void OpenClScene::CreateVolume(const volumebench::Volume& volume)
+{
+  this->Volume.Release();
+  if (!this->Buffers)
+  {
+    CheckImage(*this->Session, volume.Texels, false, "the volume");
+    this->Volume.CreateImage(*this->Session, FormatOf(volume), volume.Texels);
+    return;
+  }
+  // Filtering reads up to one texel, one row and one slice further.
+  const glm::ivec3& size = volume.Texels;
+  const std::size_t bytes = Texels(size) * TexelBytes(volume);
+  const std::size_t behind = (Texels({ size.x, size.y, 1 }) + size.x + 1) * TexelBytes(volume);
+  this->Volume.ResizeBuffer(*this->Session, bytes + behind, CL_MEM_READ_ONLY);
+  this->Volume.FillWithZero(bytes, behind);
+}
+
+void OpenClScene::UpdateVolume(const volumebench::Volume& volume)
+{
+  this->CreateVolume(volume);
+  this->Format = volume.Format;
+  const std::size_t sliceBytes =
+    Texels({ volume.Texels.x, volume.Texels.y, 1 }) * TexelBytes(volume);
+  const int slabSlices = static_cast<int>(std::max<std::size_t>(1, SlabBytes / sliceBytes));
+  std::vector<unsigned char> texels;
+  for (int slice = 0; slice < volume.Texels.z; slice += slabSlices)
+  {
+    const int count = std::min(slabSlices, volume.Texels.z - slice);
+    ConvertSlab(volume, slice, count, texels);
+    if (this->Buffers)
+    {
+      this->Volume.Write(texels.data(), texels.size(), slice * sliceBytes);
+    }
+    else
+    {
+      this->Volume.WriteImage(texels.data(), slice, count);
+    }
+  }
+}
+
+void OpenClScene::UpdateBlanking(const volumebench::Volume& volume)
+{
+  this->Blanking.Release();
+  if (volume.HasBlanks())
+  {
+    SendAll(this->Blanking, *this->Session, BlankingGrid(volume));
+  }
+}
+
+void OpenClScene::SendTable(Table& table, const void* entries, bool single, int columns, int rows)
+{
+  const std::size_t entryBytes = single ? sizeof(float) : sizeof(glm::vec4);
+  const std::size_t bytes = entryBytes * columns * rows;
+  table.Entries = columns;
+  table.Used = true;
+  if (!this->Buffers)
+  {
+    const cl_image_format format = { static_cast<cl_channel_order>(single ? CL_R : CL_RGBA),
+      CL_FLOAT };
+    CheckImage(*this->Session, { columns, rows, 1 }, true, "a table of the transfer function");
+    table.Memory.CreateImage(*this->Session, format, { columns, rows, 0 });
+    table.Memory.WriteImage(entries, 0, 1);
+    return;
+  }
+  const std::size_t behind = entryBytes * (rows > 1 ? columns + 1 : 1);
+  table.Memory.ResizeBuffer(*this->Session, bytes + behind, CL_MEM_READ_ONLY);
+  table.Memory.Write(entries, bytes);
+  table.Memory.FillWithZero(bytes, behind);
+}
+
+void OpenClScene::SendTable(
+  Table& table, const SharedTable<glm::vec4>& entries, int columns, int rows)
+{
+  if (Has(this->Features, Feature::OneColor))
+  {
+    this->SendTable(table, ExtinctionsOf(entries).data(), true, columns, rows);
+  }
+  else
+  {
+    this->SendTable(table, entries.data(), false, columns, rows);
+  }
+}
+
+void OpenClScene::UpdateTables(const TransferFunction& function)
+{
+  this->Prefix.Release();
+  for (Table* table : { &this->Segments, &this->GradientOpacity })
+  {
+    table->Memory.Release();
+    table->Used = false;
+  }
+  this->SendTable(this->Classification, function.Table, static_cast<int>(function.Table.size()), 1);
+  if (Has(this->Features, Feature::Segment))
+  {
+    if (Has(this->Features, Feature::OneColor))
+    {
+      SendAll(this->Prefix, *this->Session, OneColorPrefix(function.Prefix));
+    }
+    else
+    {
+      SendAll(this->Prefix, *this->Session, function.Prefix);
+    }
+  }
+  if (Has(this->Features, Feature::PreIntegrated))
+  {
+    this->SendTable(this->Segments, function.Segments, function.SegmentSize, function.SegmentSize);
+  }
+  if (Has(this->Features, Feature::GradientOpacity))
+  {
+    const std::vector<float>& entries = function.GradientTable;
+    this->SendTable(
+      this->GradientOpacity, entries.data(), true, static_cast<int>(entries.size()), 1);
+  }
+}
+
+void OpenClScene::UpdateCells(const Skipping& skipping)
+{
+  if (!Has(this->Features, Feature::Skipping))
+  {
+    this->Cells.Release();
+    this->CellStamp = 0;
+    this->GridMs = std::numeric_limits<double>::quiet_NaN();
+    return;
+  }
+  const CellMap& map = *skipping.Cells;
+  if (map.Stamp == this->CellStamp && this->Cells.IsCreated())
+  {
+    return;
+  }
+  const Clock::time_point begin = Clock::now();
+  if (map.Extremes.empty())
+  {
+    SendAll(this->Cells, *this->Session, map.Codes);
+  }
+  else
+  {
+    SendAll(this->Cells, *this->Session, map.Extremes);
+  }
+  this->CellStamp = map.Stamp;
+  this->GridMs = skipping.GridMs + MillisecondsSince(begin);
+}
+
+std::string OpenClScene::GetDefines() const
+{
+  const bool small = this->Format == TexelFormat::Unsigned16;
+  return std::string("#define WITH_BUFFERS ") + (this->Buffers ? "1" : "0") +
+    "\n#define WITH_UNSIGNED16 " + (small ? "1" : "0") + "\n#define WITH_NEAREST " +
+    (this->Nearest ? "1" : "0") + "\n";
+}
+
+void OpenClScene::SetNumbers(const SceneBlock& numbers)
+{
+  this->Numbers.ResizeBuffer(*this->Session, sizeof(numbers), CL_MEM_READ_ONLY);
+  this->Numbers.Write(&numbers, sizeof(numbers));
+}
+
+void OpenClScene::AddTable(const Table& table, KernelArguments& arguments) const
+{
+  if (table.Used)
+  {
+    arguments.Add(table.Memory);
+    if (this->Buffers)
+    {
+      arguments.Add(table.Entries);
+    }
+  }
+}
+
+void OpenClScene::AddTo(KernelArguments& arguments) const
+{
+  arguments.Add(this->Numbers);
+  if (Has(this->Features, Feature::Segment))
+  {
+    arguments.Add(this->Prefix);
+  }
+  if (Has(this->Features, Feature::Blanking))
+  {
+    arguments.Add(this->Blanking);
+  }
+  if (Has(this->Features, Feature::Skipping))
+  {
+    arguments.Add(this->Cells);
+  }
+  arguments.Add(this->Volume);
+  this->AddTable(this->Classification, arguments);
+  this->AddTable(this->Segments, arguments);
+  this->AddTable(this->GradientOpacity, arguments);
+}
+
+std::size_t OpenClScene::GetBytesOnDevice() const
+{
+  std::size_t bytes = 0;
+  for (const OpenClMemory* memory : { &this->Volume, &this->Prefix, &this->Blanking, &this->Cells,
+         &this->Classification.Memory, &this->Segments.Memory, &this->GradientOpacity.Memory })
+  {
+    bytes += memory->GetBytes();
+  }
+  return bytes;
+}
+
+void OpenClScene::Release()
+{
+  for (OpenClMemory* memory :
+    { &this->Numbers, &this->Volume, &this->Prefix, &this->Blanking, &this->Cells,
+      &this->Classification.Memory, &this->Segments.Memory, &this->GradientOpacity.Memory })
+  {
+    memory->Release();
+  }
+  for (Table* table : { &this->Classification, &this->Segments, &this->GradientOpacity })
+  {
+    table->Used = false;
+  }
+  this->TexelStamp = this->TableStamp = this->CellStamp = 0;
+}
+}

@@ -1,0 +1,273 @@
+#include "Techniques/OpenClRayCast.h"
+
+#include "Scene/PackScene.h"
+#include "Scene/WorkGroup.h"
+#include "Techniques/WorkGroupChoice.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtk_glew.h"
+
+#include <glm/common.hpp>
+
+#include <chrono>
+
+namespace volumebench
+{
+namespace
+{
+constexpr const char* Entry = "RayCast.cl";
+
+// Drivers for CPUs compile a kernel anew for each shape, and lose next to nothing with this one.
+constexpr glm::ivec2 CpuWorkGroup(16, 8);
+
+using Clock = std::chrono::steady_clock;
+
+double MillisecondsSince(Clock::time_point begin)
+{
+  return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
+}
+
+bool UsesBuffers(const Scene& scene, const OpenClDevice& device)
+{
+  const OpenClStorage storage = scene.Sampling.OpenCl.Storage;
+  if (storage == OpenClStorage::Images && !device.HasImages)
+  {
+    throw SceneError("the OpenCL device '" + device.Name + "' has no images; choose Buffers");
+  }
+  const bool suits = device.IsCpu() || !device.HasImages;
+  return storage == OpenClStorage::Auto ? suits : storage == OpenClStorage::Buffers;
+}
+
+double MillisecondsOf(cl_event event)
+{
+  const OpenClApi& cl = OpenCl();
+  CheckOpenCl(cl.WaitForEvents(1, &event), "the kernel");
+  cl_ulong begin = 0;
+  cl_ulong end = 0;
+  cl.GetEventProfilingInfo(event, CL_PROFILING_COMMAND_START, sizeof(begin), &begin, nullptr);
+  cl.GetEventProfilingInfo(event, CL_PROFILING_COMMAND_END, sizeof(end), &end, nullptr);
+  cl.ReleaseEvent(event);
+  return static_cast<double>(end - begin) * 1.0e-6;
+}
+
+void CheckWorkGroup(const OpenClSession& session, cl_kernel kernel, glm::ivec2 shape)
+{
+  const std::size_t most = session.LargestWorkGroup(kernel);
+  if (static_cast<std::size_t>(shape.x) * shape.y > most)
+  {
+    throw SceneError("the work group " + WorkGroupName(shape) +
+      " is too large: the OpenCL device '" + session.GetDevice().Name + "' takes at most " +
+      std::to_string(most) + " work items of this kernel in a group");
+  }
+}
+}
+
+std::string OpenClRayCast::WhyUnsupported(vtkOpenGLRenderWindow*) const
+{
+  return WhyNoOpenClDevice();
+}
+
+FeatureSet OpenClRayCast::FeaturesFor(const Scene& scene) const
+{
+  FeatureSet features = FeaturesNeededBy(scene);
+  features.reset(static_cast<std::size_t>(Feature::RasterisedSetUp));
+  return features;
+}
+
+void OpenClRayCast::Compile(const Scene& scene)
+{
+  this->ProgramOf({ "Viewport.vert", "Picture.frag" });
+  const OpenClDevice& device = ChooseOpenClDevice(OpenClDevices(), scene.Sampling.OpenCl.Device);
+  OpenClSession& session = OpenClSession::Of(device);
+  if (this->Session != &session)
+  {
+    this->Depth.Release();
+    this->Result.Release();
+    this->Session = &session;
+  }
+  const FeatureSet features = this->GetFeatures();
+  this->Data.Update(scene, features, session, UsesBuffers(scene, device));
+  if (!Has(features, Feature::OpaqueDepth))
+  {
+    this->Depth.Release();
+  }
+  const KernelText text = SpecializeKernel(
+    Entry, FeatureDefines(features) + this->Data.GetDefines(), EmbeddedKernel, LineStyle::Names);
+  if (this->Kernel && session.HasKernel(text))
+  {
+    this->Kernel = session.KernelOf(text, "castRays");
+    return;
+  }
+  const Clock::time_point begin = Clock::now();
+  this->Kernel = session.KernelOf(text, "castRays");
+  if (device.IsCpu())
+  {
+    // Compiles the rest: a launch without a ray.
+    this->Data.SetNumbers({});
+    const glm::ivec2 shape = scene.Sampling.WorkGroup;
+    this->Cast({}, shape.x > 0 ? shape : CpuWorkGroup);
+  }
+  this->CompileMs = MillisecondsSince(begin);
+}
+
+double OpenClRayCast::Cast(const Part& part, glm::ivec2 workGroup)
+{
+  CheckWorkGroup(*this->Session, this->Kernel, workGroup);
+  const glm::ivec2 size = part.End - part.First;
+  const std::size_t bytes =
+    sizeof(glm::vec4) * static_cast<std::size_t>(std::max(size.x * size.y, 1));
+  if (this->Result.GetBytes() < bytes)
+  {
+    this->Result.ResizeBuffer(*this->Session, bytes, CL_MEM_WRITE_ONLY);
+  }
+  KernelArguments arguments(this->Kernel);
+  this->Data.AddTo(arguments);
+  if (Has(this->GetFeatures(), Feature::OpaqueDepth))
+  {
+    if (!this->Depth.IsCreated())
+    {
+      this->Depth.ResizeBuffer(*this->Session, sizeof(float), CL_MEM_READ_ONLY);
+    }
+    arguments.Add(this->Depth);
+    arguments.Add(this->DepthWidth);
+  }
+  arguments.Add(this->Result);
+  arguments.Add(cl_int4{ { part.First.x, part.First.y, part.End.x, part.End.y } });
+  const glm::ivec2 groups = glm::max((size + workGroup - 1) / workGroup, glm::ivec2(1));
+  const std::size_t group[2] = { static_cast<std::size_t>(workGroup.x),
+    static_cast<std::size_t>(workGroup.y) };
+  const std::size_t items[2] = { groups.x * group[0], groups.y * group[1] };
+  cl_event done = nullptr;
+  CheckOpenCl(OpenCl().EnqueueNDRangeKernel(this->Session->GetQueue(), this->Kernel, 2, nullptr,
+                items, group, 0, nullptr, &done),
+    "clEnqueueNDRangeKernel");
+  return MillisecondsOf(done);
+}
+
+void OpenClRayCast::SendDepth(const glm::ivec4& viewport)
+{
+  const Clock::time_point begin = Clock::now();
+  const std::vector<float> depth = this->GetDepth().Read(viewport);
+  this->Depth.ResizeBuffer(*this->Session, depth.size() * sizeof(float), CL_MEM_READ_ONLY);
+  this->Depth.Write(depth.data(), depth.size() * sizeof(float));
+  this->DepthWidth = viewport.z;
+  this->GetFrameStages().Add("opaque depth", MillisecondsSince(begin));
+}
+
+void OpenClRayCast::Draw(
+  const Scene& scene, vtkOpenGLRenderWindow* window, const glm::ivec4& rectangle)
+{
+  glFlush(); // what is timed by OpenGL begins before the kernel does
+  if (Has(this->GetFeatures(), Feature::OpaqueDepth))
+  {
+    this->SendDepth(scene.Camera.Viewport);
+  }
+  this->Data.SetNumbers(RoundToFloat(this->GetNumbers()));
+  const glm::ivec4 box = BoxRectangle(scene);
+  const glm::ivec2 first(rectangle.x - box.x, rectangle.y - box.y);
+  const Part part{ first, first + glm::ivec2(rectangle.z, rectangle.w) };
+  const glm::ivec2 workGroup = this->ChooseWorkGroup(scene, part);
+  this->GetFrameStages().Add("dispatch", this->Cast(part, workGroup));
+  this->Picture.Bind(GL_TEXTURE_2D);
+  if (this->PictureSize != glm::ivec2(box.z, box.w))
+  {
+    this->Picture.SetSampling(false);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, box.z, box.w, 0, GL_RGBA, GL_FLOAT, nullptr);
+    this->PictureSize = { box.z, box.w };
+  }
+  this->Transfer(part);
+  this->Picture.Unbind();
+  this->Display(window, rectangle);
+}
+
+void OpenClRayCast::Transfer(const Part& part)
+{
+  const Clock::time_point begin = Clock::now();
+  const OpenClApi& cl = OpenCl();
+  const glm::ivec2 size = part.End - part.First;
+  const std::size_t bytes = sizeof(glm::vec4) * static_cast<std::size_t>(size.x) * size.y;
+  // No copy on a device that shares the memory of the host.
+  cl_int status = CL_SUCCESS;
+  cl_command_queue queue = this->Session->GetQueue();
+  void* texels = cl.EnqueueMapBuffer(
+    queue, this->Result.GetHandle(), CL_TRUE, CL_MAP_READ, 0, bytes, 0, nullptr, nullptr, &status);
+  CheckOpenCl(status, "clEnqueueMapBuffer");
+  glTexSubImage2D(
+    GL_TEXTURE_2D, 0, part.First.x, part.First.y, size.x, size.y, GL_RGBA, GL_FLOAT, texels);
+  CheckOpenCl(
+    cl.EnqueueUnmapMemObject(queue, this->Result.GetHandle(), texels, 0, nullptr, nullptr),
+    "clEnqueueUnmapMemObject");
+  this->GetFrameStages().Add("transfer", MillisecondsSince(begin));
+}
+
+void OpenClRayCast::Display(vtkOpenGLRenderWindow* window, const glm::ivec4& rectangle)
+{
+  const GlProgram& display = this->ProgramOf({ "Viewport.vert", "Picture.frag" });
+  TextureUnits units(window);
+  display.Bind(window);
+  display.SetUnit("pictureTexture", units.Attach(this->Picture));
+  BlendOver(window);
+  this->GetFrameStages().OnDevice("display", [&] { this->DrawTriangle(window, &rectangle); });
+}
+
+glm::ivec2 OpenClRayCast::ChooseWorkGroup(const Scene& scene, const Part& part)
+{
+  if (scene.Sampling.WorkGroup.x > 0)
+  {
+    return scene.Sampling.WorkGroup;
+  }
+  if (this->Session->GetDevice().IsCpu())
+  {
+    return CpuWorkGroup;
+  }
+  const glm::ivec2 size = part.End - part.First;
+  glm::ivec2& known = MeasuredWorkGroup(this->Session->GetDevice().Name + " " +
+    this->GetFeatures().to_string() + " " + this->Data.GetDefines() +
+    SceneClass(scene, { part.First.x, part.First.y, size.x, size.y }));
+  if (known.x == 0)
+  {
+    constexpr int SmallestSide = 64;
+    const glm::ivec2 middle = glm::min(size, glm::max(size / 3, glm::ivec2(SmallestSide)));
+    const glm::ivec2 first = part.First + (size - middle) / 2;
+    std::vector<TimedWorkGroup> measured;
+    for (const glm::ivec2 shape : WorkGroupCandidates(scene))
+    {
+      this->Cast({ first, first + 1 }, shape); // warms up
+      measured.push_back({ shape, this->Cast({ first, first + middle }, shape) });
+    }
+    known = FastestWorkGroup(measured);
+  }
+  return known;
+}
+
+SetUpCosts OpenClRayCast::GetSetUpCosts() const
+{
+  SetUpCosts costs = this->OpenGlTechnique::GetSetUpCosts();
+  costs.UploadMs = this->Data.GetUploadMs();
+  costs.TablesMs = this->Data.GetTablesMs();
+  costs.GridMs =
+    Has(this->GetFeatures(), Feature::Skipping) ? this->Data.GetGridMs() : costs.GridMs;
+  costs.CompileMs = this->CompileMs;
+  return costs;
+}
+
+void OpenClRayCast::ReleaseOwn()
+{
+  this->Picture.Release();
+}
+
+void OpenClRayCast::ForgetOwn()
+{
+  this->Picture.Forget();
+  this->PictureSize = glm::ivec2(0);
+  this->Data.Release();
+  this->Depth.Release();
+  this->Result.Release();
+}
+
+std::size_t OpenClRayCast::GetOwnBytes() const
+{
+  const std::size_t picture = sizeof(glm::vec4) * this->PictureSize.x * this->PictureSize.y;
+  return this->Data.GetBytesOnDevice() + this->Depth.GetBytes() + this->Result.GetBytes() + picture;
+}
+}

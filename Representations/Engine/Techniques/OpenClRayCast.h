@@ -1,0 +1,61 @@
+// Ray casting in OpenCL, on a graphics card or a CPU, whose picture is blended over the window
+// (Sans & Carmona 2016).
+#ifndef volumebench_OpenClRayCast_h
+#define volumebench_OpenClRayCast_h
+
+#include "OpenCl/OpenClScene.h"
+#include "Techniques/OpenGlTechnique.h"
+
+#include <glm/vec2.hpp>
+
+namespace volumebench
+{
+class OpenClRayCast : public OpenGlTechnique
+{
+public:
+  std::string WhyUnsupported(vtkOpenGLRenderWindow* window) const override;
+  SetUpCosts GetSetUpCosts() const override;
+
+protected:
+  FeatureSet FeaturesFor(const Scene& scene) const override;
+  bool ReadsTextures() const override { return false; }
+  void Compile(const Scene& scene) override;
+  void Draw(
+    const Scene& scene, vtkOpenGLRenderWindow* window, const glm::ivec4& rectangle) override;
+  void ReleaseOwn() override;
+  void ForgetOwn() override;
+  std::size_t GetOwnBytes() const override;
+
+private:
+  /// Rays of texels of the box's picture, from `First` to before `End`.
+  struct Part
+  {
+    glm::ivec2 First{ 0 };
+    glm::ivec2 End{ 0 };
+  };
+
+  /// Casts the rays of a part in work groups of this shape and waits until they are done. Returns
+  /// what the kernel took, in milliseconds.
+  double Cast(const Part& part, glm::ivec2 workGroup);
+
+  void SendDepth(const glm::ivec4& viewport);
+
+  /// Maps what was cast and sends it to the texture.
+  void Transfer(const Part& part);
+  void Display(vtkOpenGLRenderWindow* window, const glm::ivec4& rectangle);
+
+  glm::ivec2 ChooseWorkGroup(const Scene& scene, const Part& part);
+
+  OpenClSession* Session = nullptr; // of the device in use
+  cl_kernel Kernel = nullptr;       // the session's
+  OpenClScene Data;
+  OpenClMemory Depth; // of opaque geometry, as large as the viewport
+  cl_int DepthWidth = 0;
+  OpenClMemory Result; // the part that was cast, row by row
+  GlTexture Picture;   // as large as the box on the screen
+  glm::ivec2 PictureSize{ 0 };
+  double CompileMs = std::numeric_limits<double>::quiet_NaN();
+};
+}
+
+#endif
