@@ -6,7 +6,7 @@ typedef float2 vec2;
 typedef float3 vec3;
 typedef float4 vec4;
 typedef int4 ivec4;
-#define FUNC
+#define FUNC __attribute__((always_inline))
 #define PRECISE
 #define STRUCT(name)                                                                               \
   typedef struct name name;                                                                        \
@@ -48,6 +48,9 @@ typedef int4 ivec4;
 #if WITH_SKIPPING && (WITH_MAXIMUM_BLEND || WITH_MINIMUM_BLEND)
 #define CELLS_PARAM global const float *cellExtremes,
 #define CELLS cellExtremes,
+#elif WITH_SKIPPING && WITH_SIMD_STEPS
+#define CELLS_PARAM global const ushort *cellBlocks,
+#define CELLS cellBlocks,
 #elif WITH_SKIPPING
 #define CELLS_PARAM global const ushort *cellCodes,
 #define CELLS cellCodes,
@@ -109,7 +112,7 @@ FUNC real cellExtremeAt(SCENE_PARAM int x, int y, int z)
 {
   return cellExtremes[cellIndexOf(SCENE x, y, z)];
 }
-#else
+#elif !WITH_SIMD_STEPS
 FUNC int cellCodeAt(SCENE_PARAM int x, int y, int z)
 {
   return cellCodes[cellIndexOf(SCENE x, y, z)];

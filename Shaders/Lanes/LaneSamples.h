@@ -12,7 +12,7 @@ FUNC LaneTexels texelsAt(lanes place, float size)
 {
   // The order of min and max makes 0 of NaN.
   place = min(max(place, 0.0f), size - 1.0f);
-  lanes below = min(floor(place), max(size - 2.0f, 0.0f));
+  lanes below = min(wholePart(place), max(size - 2.0f, 0.0f));
   LaneTexels at;
   at.texel = INTS_OF(below);
   at.share = place - below;
@@ -48,16 +48,13 @@ FUNC lanes fieldInRow(global const StoredTexel* texels, laneInts at, lanes share
   return low + share * (high - low);
 }
 
-// The field at distances along a ray.
-FUNC lanes fieldAtLanes(SCENE_PARAM Ray ray, lanes along)
+// The field at distances along the rays.
+FUNC lanes fieldAtLanes(SCENE_PARAM LaneRays rays, lanes along)
 {
   float4 size = scene.textureSize;
-  LaneTexels x = texelsAt(
-    (ray.textureOrigin.x * size.x - 0.5f) + along * (ray.textureDirection.x * size.x), size.x);
-  LaneTexels y = texelsAt(
-    (ray.textureOrigin.y * size.y - 0.5f) + along * (ray.textureDirection.y * size.y), size.y);
-  LaneTexels z = texelsAt(
-    (ray.textureOrigin.z * size.z - 0.5f) + along * (ray.textureDirection.z * size.z), size.z);
+  LaneTexels x = texelsAt(rays.texels.origin.x + along * rays.texels.direction.x, size.x);
+  LaneTexels y = texelsAt(rays.texels.origin.y + along * rays.texels.direction.y, size.y);
+  LaneTexels z = texelsAt(rays.texels.origin.z + along * rays.texels.direction.z, size.z);
   int row = (int)size.x;
   int slice = row * (int)size.y;
   int nextRow = size.y > 1.0f ? row : 0;
@@ -89,7 +86,7 @@ FUNC LaneColors classifiedLanes(SCENE_PARAM lanes value)
   lanes place =
     (value * scene.classification.x + scene.classification.y) * (float)tableEntries - 0.5f;
   place = min(max(place, 0.0f), last);
-  lanes below = min(floor(place), max(last - 1.0f, 0.0f));
+  lanes below = min(wholePart(place), max(last - 1.0f, 0.0f));
   lanes share = place - below;
   laneInts entry = INTS_OF(below);
   LaneColors colors;

@@ -1,4 +1,4 @@
-// The integrator Segment for steps side by side: see Shared/Segment.h, whose formulas these are.
+// The integrator Segment for rays side by side: see Shared/Segment.h, whose formulas these are.
 #if WITH_SEGMENT
 
 // Prefix integrals, or what they grow by, in units that are whole numbers.
@@ -40,7 +40,7 @@ typedef struct LaneEnds
 FUNC LaneEnds withPrefixes(SCENE_PARAM LaneEnds ends)
 {
   lanes position = ends.value * scene.prefix.x + scene.prefix.y;
-  lanes cell = max(0.0f, min(floor(position), scene.prefix.z));
+  lanes cell = wholePart(min(max(position, 0.0f), scene.prefix.z));
   ends.cell = INTS_OF(cell);
   ends.inCell = position - cell;
   laneInts before;
@@ -73,7 +73,7 @@ FUNC LanePrefix prefixesOf(LaneQuads bits)
 FUNC LaneEnds withPrefixes(SCENE_PARAM LaneEnds ends)
 {
   lanes position = ends.value * scene.prefix.x + scene.prefix.y;
-  lanes cell = max(0.0f, min(floor(position), scene.prefix.z));
+  lanes cell = wholePart(min(max(position, 0.0f), scene.prefix.z));
   ends.cell = INTS_OF(cell);
   ends.inCell = position - cell;
 #define READ_LOW(i) as_float4(prefixTable[ends.cell.s##i])
@@ -90,10 +90,10 @@ FUNC LaneEnds withPrefixes(SCENE_PARAM LaneEnds ends)
 }
 #endif
 
-FUNC LaneEnds laneEndsAt(SCENE_PARAM Ray ray, lanes along)
+FUNC LaneEnds laneEndsAt(SCENE_PARAM LaneRays rays, lanes along)
 {
   LaneEnds ends;
-  ends.value = fieldAtLanes(SCENE ray, along);
+  ends.value = fieldAtLanes(SCENE rays, along);
   ends.hold = 0.0f;
   return withPrefixes(SCENE ends);
 }
@@ -203,34 +203,33 @@ FUNC LaneColors classifiedBetween(SCENE_PARAM LaneEnds front, LaneEnds back, lan
   return colors;
 }
 
-// Two parts of steps, one behind the other.
-FUNC LaneSteps oneBehind(LaneSteps near, LaneSteps far)
+typedef LaneEnds LaneFronts;
+
+FUNC LaneFronts frontsAt(SCENE_PARAM LaneRays rays, lanes along)
 {
-  lanes passing = 1.0f - near.opacity;
-  near.red += passing * far.red;
-  near.green += passing * far.green;
-  near.blue += passing * far.blue;
-  near.opacity += passing * far.opacity;
-  near.depth += far.depth;
-  return near;
+  return laneEndsAt(SCENE rays, along);
 }
 
-FUNC LaneSums steppedLanes(
-  SCENE_PARAM Ray ray, Interval interval, LaneSums sums, laneInts index, int count)
+typedef struct LaneResult
 {
-  lanes begin = stepBeginsOf(SCENE ray, interval, index);
-  lanes width = stepWidthsOf(SCENE ray, interval, index, begin);
-  width = LANE_NUMBERS < count ? width : (lanes)(0.0f);
-  lanes halfWidth = 0.5f * width;
-  LaneEnds front = laneEndsAt(SCENE ray, min(begin, interval.end));
-  LaneEnds back = laneEndsAt(SCENE ray, begin + width);
-  lanes field = fieldAtLanes(SCENE ray, begin + halfWidth);
+  LaneSums sums;
+  LaneFronts back; // with which the next steps begin
+} LaneResult;
+
+FUNC LaneResult takenSteps(
+  SCENE_PARAM LaneRays rays, LaneSteps steps, LaneFronts front, laneInts active, LaneSums sums)
+{
+  lanes halfWidth = 0.5f * steps.width;
+  LaneEnds back = laneEndsAt(SCENE rays, steps.begin + steps.width);
+  lanes field = fieldAtLanes(SCENE rays, steps.begin + halfWidth);
   LaneEnds middle = bentMiddles(SCENE front, field, back);
-  lanes halfLength = halfWidth * ray.lengthPerUnit;
-  LaneColors nearColors = classifiedBetween(SCENE front, middle, halfLength);
-  LaneColors farColors = classifiedBetween(SCENE middle, back, halfLength);
-  LaneSteps steps = oneBehind(stepsOf(nearColors, nearColors.extinction * halfLength),
-    stepsOf(farColors, farColors.extinction * halfLength));
-  return withSteps(SCENE sums, steps, index, width);
+  lanes halfLength = halfWidth * rays.lengthPerUnit;
+  LaneColors near = classifiedBetween(SCENE front, middle, halfLength);
+  LaneColors far = classifiedBetween(SCENE middle, back, halfLength);
+  LaneResult result;
+  result.sums = accumulatedLanes(sums, throughMedium(near, halfLength), active);
+  result.sums = accumulatedLanes(result.sums, throughMedium(far, halfLength), active);
+  result.back = back;
+  return result;
 }
 #endif

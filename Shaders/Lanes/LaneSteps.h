@@ -1,18 +1,23 @@
-// Steps of a ray side by side, for media that emit and absorb. What the steps add is found for all
-// of them at once; their order comes in by the optical depth up to each, a sum over the lanes.
+// Steps of all rays side by side, for media that emit and absorb: Shared/Steps.h and the sums of
+// Shared/Composite.h, lane by lane.
 
-// What a ray has gathered: sums of what each lane has seen, and what passes of the light behind.
+// Where steps begin and how long they are; those outside a ray have no length.
+typedef struct LaneSteps
+{
+  lanes begin;
+  lanes width;
+} LaneSteps;
+
+// What the rays have gathered: premultiplied colour and opacity.
 typedef struct LaneSums
 {
   lanes red;
   lanes green;
   lanes blue;
   lanes opacity;
-  float passing;
-  bool stopped; // nothing behind can be seen
 #if WITH_SAMPLE_COUNT
-  int taken;
-  int reached; // the step after the last that was taken
+  laneInts taken;   // steps
+  laneInts reached; // the step after the last that was taken
 #endif
 } LaneSums;
 
@@ -23,8 +28,6 @@ FUNC LaneSums emptySums()
   sums.green = 0.0f;
   sums.blue = 0.0f;
   sums.opacity = 0.0f;
-  sums.passing = 1.0f;
-  sums.stopped = false;
 #if WITH_SAMPLE_COUNT
   sums.taken = 0;
   sums.reached = 0;
@@ -32,105 +35,110 @@ FUNC LaneSums emptySums()
   return sums;
 }
 
-FUNC vec4 sumOf(LaneSums sums)
+FUNC lanes borderShifts(LaneRays rays, float stepLength)
 {
-  return VEC4(
-    sumOfLanes(sums.red), sumOfLanes(sums.green), sumOfLanes(sums.blue), sumOfLanes(sums.opacity));
-}
-
-// Where the steps begin: stepBeginOf in Shared/Steps.h.
-FUNC lanes stepBeginsOf(SCENE_PARAM Ray ray, Interval interval, laneInts index)
-{
-  lanes along = FLOATS_OF(index) * scene.sampling.x;
 #if BORDERS_MOVE
-  along = max(along - borderShift(ray, scene.sampling.x), 0.0f);
+  return (1.0f - rays.jitter) * stepLength;
+#else
+  return 0.0f;
 #endif
-  return interval.begin + along;
 }
 
-FUNC lanes stepWidthsOf(SCENE_PARAM Ray ray, Interval interval, laneInts index, lanes begin)
+FUNC LaneSteps stepsAt(SCENE_PARAM LaneRays rays, LaneIntervals intervals, int index)
 {
-  lanes width = scene.sampling.x;
-#if BORDERS_MOVE
-  width = index == 0 ? width - borderShift(ray, scene.sampling.x) : width;
-#endif
-  return max(min(width, interval.end - begin), 0.0f);
-}
-
-// What steps contribute by themselves: premultiplied colour and opacity, and the optical depth.
-typedef struct LaneSteps
-{
-  lanes red;
-  lanes green;
-  lanes blue;
-  lanes opacity;
-  lanes depth;
-} LaneSteps;
-
-FUNC LaneSteps stepsOf(LaneColors colors, lanes depth)
-{
+  float stepLength = scene.sampling.x;
   LaneSteps steps;
-  steps.opacity = opacitiesOfDepths(depth);
-  steps.red = steps.opacity * colors.red;
-  steps.green = steps.opacity * colors.green;
-  steps.blue = steps.opacity * colors.blue;
-  steps.depth = depth;
+  lanes along = (float)index * stepLength;
+  lanes width = stepLength;
+#if BORDERS_MOVE
+  lanes shift = borderShifts(rays, stepLength);
+  along = max(along - shift, 0.0f);
+  width = index == 0 ? width - shift : width;
+#endif
+  steps.begin = intervals.begin + along;
+  steps.width = max(min(width, intervals.end - steps.begin), 0.0f);
   return steps;
 }
 
-#if WITH_SAMPLE_COUNT
-// A step counts where it has a length and the ray had not stopped before it.
-FUNC LaneSums counted(LaneSums sums, laneInts index, laneInts counts)
+FUNC laneInts stepCountsOf(SCENE_PARAM LaneRays rays, LaneIntervals intervals)
 {
-#define COUNT_LANE(i)                                                                              \
-  sums.taken += counts.s##i ? 1 : 0;                                                               \
-  sums.reached = counts.s##i ? index.s##i + 1 : sums.reached;
-  EACH_LANE(COUNT_LANE)
-#undef COUNT_LANE
+  float stepLength = scene.sampling.x;
+  lanes toBorders = intervals.end - intervals.begin + borderShifts(rays, stepLength);
+  lanes count = intervals.end > intervals.begin ? ceil(toBorders / stepLength) : (lanes)(0.0f);
+  return INTS_OF(count);
+}
+
+// The step that a place on each ray lies in, moved by `steps`, within [0, most].
+FUNC laneInts stepsWith(
+  SCENE_PARAM LaneRays rays, LaneIntervals intervals, lanes along, float steps, laneInts most)
+{
+  float stepLength = scene.sampling.x;
+  lanes place = along - intervals.begin + borderShifts(rays, stepLength);
+  place = floor(place / stepLength + steps);
+  return INTS_OF(max(0.0f, min(place, FLOATS_OF(most))));
+}
+
+FUNC laneInts haveStopped(SCENE_PARAM LaneSums sums)
+{
+#if WITH_TERMINATION
+  return sums.opacity >= scene.sampling.y;
+#else
+  return 0;
+#endif
+}
+
+// Adds what lies behind all that was gathered: premultiplied colour and, as extinction, opacity.
+FUNC LaneSums accumulatedLanes(LaneSums sums, LaneColors behind, laneInts active)
+{
+  lanes passing = active ? 1.0f - sums.opacity : (lanes)(0.0f);
+  sums.red += passing * behind.red;
+  sums.green += passing * behind.green;
+  sums.blue += passing * behind.blue;
+  sums.opacity += passing * behind.extinction;
   return sums;
 }
-#endif
 
-// Adds steps in the order of the lanes; those without a length are none.
-FUNC LaneSums withSteps(SCENE_PARAM LaneSums sums, LaneSteps steps, laneInts index, lanes width)
+// Premultiplied colour and opacity of a medium over a length in data units.
+FUNC LaneColors throughMedium(LaneColors medium, lanes dataLength)
 {
-  lanes passingAll = exp(-sumsUpTo(steps.depth));
-  lanes passing = sums.passing * movedUp(passingAll, 1.0f);
-#if WITH_TERMINATION
-  float least = 1.0f - scene.sampling.y;
-  passing = passing > least ? passing : (lanes)(0.0f);
-#endif
-#if WITH_SAMPLE_COUNT
-  sums = counted(sums, index, width > 0.0f && passing > 0.0f);
-#endif
-  sums.red += passing * steps.red;
-  sums.green += passing * steps.green;
-  sums.blue += passing * steps.blue;
-  sums.opacity += passing * steps.opacity;
-  sums.passing *= LAST_LANE(passingAll);
-#if WITH_TERMINATION
-  sums.stopped = sums.passing <= least;
-#endif
-  return sums;
+  lanes opacity = opacitiesOfDepths(medium.extinction * dataLength);
+  medium.red = opacity * medium.red;
+  medium.green = opacity * medium.green;
+  medium.blue = opacity * medium.blue;
+  medium.extinction = opacity;
+  return medium;
 }
 
 #if !WITH_SEGMENT
-// The steps with the given indices; those from `count` on are none.
-FUNC LaneSums steppedLanes(
-  SCENE_PARAM Ray ray, Interval interval, LaneSums sums, laneInts index, int count)
+// What a step begins with: nothing, where it is sampled inside.
+typedef int LaneFronts;
+
+FUNC LaneFronts frontsAt(SCENE_PARAM LaneRays rays, lanes along)
 {
-  lanes begin = stepBeginsOf(SCENE ray, interval, index);
-  lanes width = stepWidthsOf(SCENE ray, interval, index, begin);
-  width = LANE_NUMBERS < count ? width : (lanes)(0.0f);
+  return 0;
+}
+
+typedef struct LaneResult
+{
+  LaneSums sums;
+  LaneFronts back; // with which the next steps begin
+} LaneResult;
+
+FUNC LaneResult takenSteps(
+  SCENE_PARAM LaneRays rays, LaneSteps steps, LaneFronts front, laneInts active, LaneSums sums)
+{
 #if WITH_JITTER
-  lanes along = begin + ray.jitter * width;
+  lanes along = steps.begin + rays.jitter * steps.width;
 #elif WITH_MIDPOINT
-  lanes along = begin + 0.5f * width;
+  lanes along = steps.begin + 0.5f * steps.width;
 #else
-  lanes along = begin;
+  lanes along = steps.begin;
 #endif
-  LaneColors colors = classifiedLanes(SCENE fieldAtLanes(SCENE ray, along));
-  lanes depth = colors.extinction * (width * ray.lengthPerUnit);
-  return withSteps(SCENE sums, stepsOf(colors, depth), index, width);
+  LaneColors medium = classifiedLanes(SCENE fieldAtLanes(SCENE rays, along));
+  LaneResult result;
+  result.sums =
+    accumulatedLanes(sums, throughMedium(medium, steps.width * rays.lengthPerUnit), active);
+  result.back = front;
+  return result;
 }
 #endif

@@ -1,6 +1,6 @@
-// Vectors whose lanes are steps of one ray, side by side: what an OpenCL device that is a CPU runs
-// fastest. LANES is 8 or 16, the device's own width. Only what OpenCL C has no function for is
-// defined here.
+// Vectors whose lanes are the rays of neighbouring pixels, side by side: what an OpenCL device that
+// is a CPU runs fastest. LANES is 8 or 16, the device's own width. Only what OpenCL C has no
+// function for is defined here.
 #if LANES == 16
 typedef float16 lanes;
 typedef int16 laneInts;
@@ -10,6 +10,7 @@ typedef int16 laneInts;
 #define LAST_LANE(v) ((v).sf)
 #define INTS_OF(v) convert_int16(v)
 #define AS_INTS(v) as_int16(v)
+#define AS_FLOATS(v) as_float16(v)
 #define FLOATS_OF(v) convert_float16(v)
 #else
 typedef float8 lanes;
@@ -19,69 +20,57 @@ typedef int8 laneInts;
 #define LAST_LANE(v) ((v).s7)
 #define INTS_OF(v) convert_int8(v)
 #define AS_INTS(v) as_int8(v)
+#define AS_FLOATS(v) as_float8(v)
 #define FLOATS_OF(v) convert_float8(v)
 #endif
 
-// The lanes moved up by one place, with a given first one.
-FUNC lanes movedUp(lanes v, float first)
+// The rays of a work item: a tile of LANE_COLUMNS pixels a row.
+#define LANE_COLUMNS 4
+
+FUNC int leastOfLanes(laneInts v)
 {
 #if LANES == 16
-  return (float16)(first, v.s0, v.s1, v.s2, v.s3, v.s4, v.s5, v.s6, v.s7, v.s8, v.s9, v.sa, v.sb,
-    v.sc, v.sd, v.se);
+  int8 eight = min(v.lo, v.hi);
 #else
-  return (float8)(first, v.s0, v.s1, v.s2, v.s3, v.s4, v.s5, v.s6);
+  int8 eight = v;
 #endif
+  int4 four = min(eight.lo, eight.hi);
+  int2 two = min(four.lo, four.hi);
+  return min(two.x, two.y);
 }
 
-FUNC laneInts movedUpInts(laneInts v, int first)
-{
-#if LANES == 16
-  return (int16)(first, v.s0, v.s1, v.s2, v.s3, v.s4, v.s5, v.s6, v.s7, v.s8, v.s9, v.sa, v.sb,
-    v.sc, v.sd, v.se);
-#else
-  return (int8)(first, v.s0, v.s1, v.s2, v.s3, v.s4, v.s5, v.s6);
-#endif
-}
-
-// Each lane's sum with all before it.
-FUNC lanes sumsUpTo(lanes v)
-{
-#if LANES == 16
-  v += (float16)(0.0f, v.s0, v.s1, v.s2, v.s3, v.s4, v.s5, v.s6, v.s7, v.s8, v.s9, v.sa, v.sb, v.sc,
-    v.sd, v.se);
-  v += (float16)(0.0f, 0.0f, v.s0, v.s1, v.s2, v.s3, v.s4, v.s5, v.s6, v.s7, v.s8, v.s9, v.sa, v.sb,
-    v.sc, v.sd);
-  v += (float16)((float4)(0.0f), v.s0, v.s1, v.s2, v.s3, v.s4, v.s5, v.s6, v.s7, v.s8, v.s9, v.sa,
-    v.sb);
-  v += (float16)((float8)(0.0f), v.s0, v.s1, v.s2, v.s3, v.s4, v.s5, v.s6, v.s7);
-#else
-  v += (float8)(0.0f, v.s0, v.s1, v.s2, v.s3, v.s4, v.s5, v.s6);
-  v += (float8)(0.0f, 0.0f, v.s0, v.s1, v.s2, v.s3, v.s4, v.s5);
-  v += (float8)((float4)(0.0f), v.s0, v.s1, v.s2, v.s3);
-#endif
-  return v;
-}
-
-FUNC float sumOfLanes(lanes v)
-{
-#if LANES == 16
-  float8 eight = v.lo + v.hi;
-#else
-  float8 eight = v;
-#endif
-  float4 four = eight.lo + eight.hi;
-  return (four.x + four.z) + (four.y + four.w);
-}
-
-// opacityOfDepth in Shared/Composite.h.
+// 1 - exp(-x) for x >= 0, to the last digits for thin media too: with x = n ln 2 + f it is
+// 1 - 2^-n - 2^-n (exp(-f) - 1), and the last bracket is a short series without cancellation.
 FUNC lanes opacitiesOfDepths(lanes depth)
 {
-  lanes series =
-    1.9841269841269841e-4f - depth * (2.4801587301587302e-5f - depth * 2.7557319223985891e-6f);
-  series = 0.0083333333333333333f - depth * (0.0013888888888888889f - depth * series);
-  series = 0.16666666666666667f - depth * (0.041666666666666667f - depth * series);
-  series = depth * (1.0f - depth * (0.5f - depth * series));
-  return depth < (lanes)(0.25f) ? series : 1.0f - exp(-depth);
+  depth = min(depth, 80.0f);
+  lanes halvings = FLOATS_OF(INTS_OF(depth * 1.4426950408889634f + 0.5f));
+  lanes rest = (depth - halvings * 0.693145751953125f) - halvings * 1.42860682030941723e-6f;
+  lanes square = rest * rest;
+  lanes low = rest * (0.5f - rest * 0.16666666666666667f) - 1.0f;
+  lanes high =
+    rest * (rest * 0.0013888888888888889f - 0.0083333333333333333f) + 0.041666666666666667f;
+  lanes change = rest * (low + square * rest * (high - square * rest * 1.9841269841269841e-4f));
+  lanes passing = AS_FLOATS((127 - INTS_OF(halvings)) << 23);
+  return (1.0f - passing) - passing * change;
+}
+
+FUNC bool anyLane(laneInts flags)
+{
+#if LANES == 16
+  int8 eight = flags.lo | flags.hi;
+#else
+  int8 eight = flags;
+#endif
+  int4 four = eight.lo | eight.hi;
+  int2 two = four.lo | four.hi;
+  return (two.x | two.y) != 0;
+}
+
+// Of numbers that are not negative; the device's own floor has to mind the sign.
+FUNC lanes wholePart(lanes v)
+{
+  return FLOATS_OF(INTS_OF(v));
 }
 
 // Four numbers of every lane, as they lie in memory: row k holds those of lanes k, k + 4, ...

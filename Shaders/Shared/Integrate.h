@@ -188,7 +188,6 @@ FUNC March steppedOn(SCENE_PARAM Ray ray, Interval interval, March march)
   return stepped(SCENE ray, interval, march);
 }
 
-#if LANES <= 1
 // Follows a ray from its step `first` on, a few steps at a time.
 FUNC March marchFrom(SCENE_PARAM Ray ray, Interval interval, int first, int end)
 {
@@ -217,7 +216,6 @@ FUNC March marchFrom(SCENE_PARAM Ray ray, Interval interval, int first, int end)
   } while (goesOn(SCENE march, end));
   return march;
 }
-#endif
 
 // The pixel of the part of a ray in the interval.
 FUNC vec4 integrate(SCENE_PARAM Ray ray, Interval interval)
@@ -232,11 +230,7 @@ FUNC vec4 integrate(SCENE_PARAM Ray ray, Interval interval)
   end = stepIndexAt(SCENE ray, interval, occupied.end, REAL(1.0) + margin, first, count);
   end = occupied.end > occupied.begin ? end : first;
 #endif
-#if LANES > 1
-  March march = marchOf(SCENE alongLanes(SCENE ray, interval, first, end), first);
-#else
   March march = first < end ? marchFrom(SCENE ray, interval, first, end) : startOfMarch(first);
-#endif
   return pixelOf(SCENE march, count);
 }
 

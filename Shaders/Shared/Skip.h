@@ -4,10 +4,6 @@
 // nearest cell of another kind (Deakin & Knackstedt 2019 skip empty ones by such a map): from one
 // look-up a ray knows how long its steps are alike.
 
-// So close to the border of a cell, in voxels, a step counts as touching the next cell: positions
-// are rounded.
-#define CELL_MARGIN REAL(0.015625)
-
 // How far a ray has been followed.
 STRUCT(March)
 {

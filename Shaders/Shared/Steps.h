@@ -29,6 +29,10 @@
 #define SAMPLES_OF_STEP 1
 #endif
 
+// So close to the border of a macrocell, in voxels, a step counts as touching the next cell:
+// positions are rounded.
+#define CELL_MARGIN REAL(0.015625)
+
 // By how much jitter moves the borders between steps of this length towards the eye.
 FUNC real borderShift(Ray ray, real stepLength)
 {

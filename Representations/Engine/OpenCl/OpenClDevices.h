@@ -18,6 +18,7 @@ struct OpenClDevice
   cl_device_id Id = nullptr;
   cl_device_type Type = 0;
   bool HasImages = false; // and samplers that filter
+  int VectorFloats = 1;   // floats that its vectors hold
 
   bool IsCpu() const { return (this->Type & CL_DEVICE_TYPE_CPU) != 0; }
 };

@@ -2,7 +2,7 @@
 
 #include "Gpu/DeviceTables.h"
 #include "Gpu/VolumeUpload.h"
-#include "Scene/CellMap.h"
+#include "Scene/CellBlocks.h"
 
 #include <algorithm>
 #include <chrono>
@@ -218,12 +218,17 @@ void OpenClScene::UpdateCells(const Skipping& skipping)
     return;
   }
   const CellMap& map = *skipping.Cells;
-  if (map.Stamp == this->CellStamp && this->Cells.IsCreated())
+  const bool blocks = Has(this->Features, Feature::SimdSteps);
+  if (map.Stamp == this->CellStamp && blocks == this->HasBlocks && this->Cells.IsCreated())
   {
     return;
   }
   const Clock::time_point begin = Clock::now();
-  if (map.Extremes.empty())
+  if (blocks)
+  {
+    SendAll(this->Cells, *this->Session, BlocksOfCells(map));
+  }
+  else if (map.Extremes.empty())
   {
     SendAll(this->Cells, *this->Session, map.Codes);
   }
@@ -232,6 +237,7 @@ void OpenClScene::UpdateCells(const Skipping& skipping)
     SendAll(this->Cells, *this->Session, map.Extremes);
   }
   this->CellStamp = map.Stamp;
+  this->HasBlocks = blocks;
   this->GridMs = skipping.GridMs + MillisecondsSince(begin);
 }
 

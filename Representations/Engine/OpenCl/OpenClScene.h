@@ -84,7 +84,8 @@ private:
   OpenClMemory Volume;
   OpenClMemory Prefix;
   OpenClMemory Blanking;
-  OpenClMemory Cells; // codes or extremes
+  OpenClMemory Cells; // codes, blocks or extremes
+  bool HasBlocks = false;
   Table Classification;
   Table Segments;
   Table GradientOpacity;

@@ -226,6 +226,13 @@ std::vector<FeatureRow> SkippingRows()
       WhyNoEmptyCells },
     { Feature::OneColor, "one-color", "WITH_ONE_COLOR", "one colour for all", "colours differ",
       HasOneColor },
+    { Feature::SimdSteps, "simd-steps", "WITH_SIMD_STEPS", "steps side by side (SIMD)",
+      "for OpenCL on CPUs", [](const Scene&) { return false; },
+      [](const Scene& s)
+      {
+        const char* why = WhyNoSimdSteps(s);
+        return why ? why : "for OpenCL on CPUs";
+      } },
   };
 }
 }
@@ -243,6 +250,29 @@ const std::vector<FeatureRow>& FeatureTable()
     return all;
   }();
   return rows;
+}
+
+const char* WhyNoSimdSteps(const Scene& s)
+{
+  const TransferFunction& function = s.TransferFunction;
+  if (!HasMode(s, BlendMode::Composite))
+  {
+    return "not in this blend mode";
+  }
+  if (s.Sampling.Integration == Integrator::PreIntegrated || HasLongRays(s))
+  {
+    return HasLongRays(s) ? "rounding is compensated" : "not with PreIntegrated";
+  }
+  if (s.Volume.Channels > 1 || s.Volume.Nearest || s.Volume.HasBlanks())
+  {
+    return s.Volume.Channels > 1 ? "several components"
+                                 : (s.Volume.Nearest ? "not interpolated" : "voxels are hidden");
+  }
+  if (s.Lighting.Enabled || !function.GradientTable.empty())
+  {
+    return s.Lighting.Enabled ? "shading" : "gradient opacity";
+  }
+  return s.Clip.CropRegionFlags != 0 ? "crop regions" : nullptr;
 }
 
 FeatureSet FeaturesNeededBy(const Scene& scene)

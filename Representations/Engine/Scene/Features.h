@@ -42,6 +42,7 @@ enum class Feature
   TightBox,
   Skipping,
   OneColor,
+  SimdSteps,
   Count
 };
 
@@ -57,6 +58,10 @@ struct FeatureRow
   bool (*Needed)(const Scene&);
   const char* (*Cause)(const Scene&) = nullptr; // which says it where there is more than one
 };
+
+/// Why the steps of a ray cannot be taken side by side in vectors; null where they can. That is for
+/// techniques on CPUs to decide: no scene needs it.
+VOLUMEBENCHENGINE_EXPORT const char* WhyNoSimdSteps(const Scene& scene);
 
 /// Why a feature is left out that is one of several choices.
 constexpr const char* NotChosen = "not chosen";

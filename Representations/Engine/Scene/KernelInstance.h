@@ -81,6 +81,7 @@ using real = KERNEL_REAL;
 #undef WITH_TIGHT_BOX
 #undef WITH_SKIPPING
 #undef WITH_ONE_COLOR
+#undef WITH_SIMD_STEPS
 
 #undef KERNEL_NAMESPACE
 #undef KERNEL_REAL

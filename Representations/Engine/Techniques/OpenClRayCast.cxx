@@ -16,6 +16,8 @@ namespace volumebench
 namespace
 {
 constexpr const char* Entry = "RayCast.cl";
+constexpr const char* LanesEntry = "RayCastLanes.cl";
+constexpr int LaneColumns = 4; // pixels in a row of the tile of a work item: LANE_COLUMNS
 
 // Drivers for CPUs compile a kernel anew for each shape, and lose next to nothing with this one.
 constexpr glm::ivec2 CpuWorkGroup(16, 8);
@@ -36,6 +38,21 @@ bool UsesBuffers(const Scene& scene, const OpenClDevice& device)
   }
   const bool suits = device.IsCpu() || !device.HasImages;
   return storage == OpenClStorage::Auto ? suits : storage == OpenClStorage::Buffers;
+}
+
+// Steps of a ray that a work item takes side by side. Voxels are counted by whole numbers of the
+// lanes, which have 32 bits.
+int LanesFor(const Scene& scene, const OpenClDevice& device)
+{
+  const glm::dvec3 texels(scene.Volume.Texels);
+  const double most = static_cast<double>(std::numeric_limits<cl_int>::max());
+  if (!device.IsCpu() || !UsesBuffers(scene, device) || WhyNoSimdSteps(scene) ||
+    (texels.x + 1.0) * (texels.y + 1.0) * (texels.z + 1.0) > most)
+  {
+    return 1;
+  }
+  const int chosen = scene.Sampling.OpenCl.Lanes;
+  return chosen > 0 ? chosen : (device.VectorFloats >= 16 ? 16 : 8);
 }
 
 double MillisecondsOf(cl_event event)
@@ -71,6 +88,8 @@ FeatureSet OpenClRayCast::FeaturesFor(const Scene& scene) const
 {
   FeatureSet features = FeaturesNeededBy(scene);
   features.reset(static_cast<std::size_t>(Feature::RasterisedSetUp));
+  const OpenClDevice& device = ChooseOpenClDevice(OpenClDevices(), scene.Sampling.OpenCl.Device);
+  features.set(static_cast<std::size_t>(Feature::SimdSteps), LanesFor(scene, device) > 1);
   return features;
 }
 
@@ -91,8 +110,12 @@ void OpenClRayCast::Compile(const Scene& scene)
   {
     this->Depth.Release();
   }
+  const int lanes = LanesFor(scene, device);
+  this->Tile = lanes > 1 ? glm::ivec2(LaneColumns, lanes / LaneColumns) : glm::ivec2(1);
   const KernelText text = SpecializeKernel(
-    Entry, FeatureDefines(features) + this->Data.GetDefines(), EmbeddedKernel, LineStyle::Names);
+    lanes > 1 ? LanesEntry : Entry, FeatureDefines(features) + this->Data.GetDefines() + "#define LANES " +
+      std::to_string(lanes) + "\n",
+    EmbeddedKernel, LineStyle::Names);
   if (this->Kernel && session.HasKernel(text))
   {
     this->Kernel = session.KernelOf(text, "castRays");
@@ -133,7 +156,8 @@ double OpenClRayCast::Cast(const Part& part, glm::ivec2 workGroup)
   }
   arguments.Add(this->Result);
   arguments.Add(cl_int4{ { part.First.x, part.First.y, part.End.x, part.End.y } });
-  const glm::ivec2 groups = glm::max((size + workGroup - 1) / workGroup, glm::ivec2(1));
+  const glm::ivec2 pixels = workGroup * this->Tile;
+  const glm::ivec2 groups = glm::max((size + pixels - 1) / pixels, glm::ivec2(1));
   const std::size_t group[2] = { static_cast<std::size_t>(workGroup.x),
     static_cast<std::size_t>(workGroup.y) };
   const std::size_t items[2] = { groups.x * group[0], groups.y * group[1] };

@@ -17,6 +17,7 @@ public:
   SetUpCosts GetSetUpCosts() const override;
 
 protected:
+  /// SIMD steps are the choice of this technique.
   FeatureSet FeaturesFor(const Scene& scene) const override;
   bool ReadsTextures() const override { return false; }
   void Compile(const Scene& scene) override;
@@ -48,6 +49,7 @@ private:
 
   OpenClSession* Session = nullptr; // of the device in use
   cl_kernel Kernel = nullptr;       // the session's
+  glm::ivec2 Tile{ 1 };             // pixels of a work item
   OpenClScene Data;
   OpenClMemory Depth; // of opaque geometry, as large as the viewport
   cl_int DepthWidth = 0;
