@@ -85,7 +85,7 @@ FUNC LaneMarch steppedLanes(SCENE_PARAM LaneRays rays, LaneIntervals intervals, 
   return march;
 }
 
-#define MOST_STEPS_AT_ONCE 4
+#define MOST_STEPS_AT_ONCE 8
 
 FUNC LaneSums integratedLanes(SCENE_PARAM LaneRays rays, LaneIntervals intervals, LaneRange range)
 {
