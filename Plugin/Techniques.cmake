@@ -7,7 +7,8 @@ volumebench_technique(multi-pass CLASS MultiPass LABEL "Volume Multi Pass"
 volumebench_technique(compute CLASS ComputeRayCast LABEL "Volume Compute"
   SETTINGS Skipping TerminationThreshold RaySetUp Jitter JitterSeed WorkGroupShape)
 volumebench_technique(opencl CLASS OpenClRayCast LABEL "Volume OpenCL"
-  SETTINGS Skipping TerminationThreshold Jitter JitterSeed WorkGroupShape)
+  SETTINGS Skipping TerminationThreshold Jitter JitterSeed WorkGroupShape
+    OpenclDevice OpenclStorage)
 volumebench_technique(slices CLASS Slices LABEL "Volume Slices"
   SETTINGS Skipping Jitter JitterSeed SliceExtent SliceOrder SliceTarget)
 volumebench_technique(slices-threaded CLASS SlicesThreaded LABEL "Volume Slices Threaded"

@@ -79,6 +79,13 @@ const NameTable& CameraPathNames()
   return names;
 }
 
+const NameTable& OpenClStorageNames()
+{
+  static const NameTable names(
+    "OpenCL storage", { { "Auto", 0 }, { "Images", 1 }, { "Buffers", 2 } });
+  return names;
+}
+
 const NameTable& SliceExtentNames()
 {
   static const NameTable names(

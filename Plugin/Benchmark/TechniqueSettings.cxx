@@ -93,12 +93,18 @@ const SettingRow Rows[] = {
     [](TechniqueSettings& s, const std::string& text)
     { s.TableSize = CountOf("table_size", text); } },
   { "skipping", true,
-    [](TechniqueSettings& s, const std::string& text) { s.Skipping = SwitchOf("skipping", text); } },
+    [](TechniqueSettings& s, const std::string& text)
+    { s.Skipping = SwitchOf("skipping", text); } },
   { "macrocell_voxels", true,
     [](TechniqueSettings& s, const std::string& text)
     { s.MacrocellVoxels = CountOf("macrocell_voxels", text); } },
   { "work_group_shape", false,
     [](TechniqueSettings& s, const std::string& text) { s.WorkGroupShape = text; } },
+  { "opencl_device", false,
+    [](TechniqueSettings& s, const std::string& text) { s.OpenClDevice = text; } },
+  { "opencl_storage", false,
+    [](TechniqueSettings& s, const std::string& text)
+    { s.OpenClStorage = OpenClStorageNames().NumberOf(text); } },
   { "slice_extent", false,
     [](TechniqueSettings& s, const std::string& text)
     { s.SliceExtent = SliceExtentNames().NumberOf(text); } },
@@ -193,6 +199,7 @@ void CheckTechniqueSettings(const TechniqueSettings& settings)
     throw std::runtime_error("the sample distance is " + JsonNumber(settings.SampleDistanceVoxels) +
       " voxels; it must be at least " + JsonNumber(SmallestStepVoxels));
   }
+  OpenClStorageNames().NameOf(settings.OpenClStorage);
   SliceExtentNames().NameOf(settings.SliceExtent);
   SliceThreadsNames().NameOf(settings.SliceThreads);
   SliceTargetNames().NameOf(settings.SliceTarget);
@@ -208,6 +215,8 @@ void ApplySettings(const TechniqueSettings& settings, vtkVolumeBenchMapper& mapp
   mapper.SetSkipping(settings.Skipping);
   mapper.SetMacrocellVoxels(settings.MacrocellVoxels);
   mapper.SetWorkGroupShape(settings.WorkGroupShape.c_str());
+  mapper.SetOpenClDevice(settings.OpenClDevice.c_str());
+  mapper.SetOpenClStorage(settings.OpenClStorage);
   mapper.SetSliceExtent(settings.SliceExtent);
   mapper.SetSliceThreads(settings.SliceThreads);
   mapper.SetSliceTarget(settings.SliceTarget);

@@ -23,6 +23,8 @@ struct TechniqueSettings
   bool Skipping = true;
   int MacrocellVoxels = 0;
   std::string WorkGroupShape = "Auto";
+  std::string OpenClDevice = "Auto";
+  int OpenClStorage = 0;
   int SliceExtent = 0;
   int SliceThreads = 0;
   int SliceTarget = 0;
@@ -47,9 +49,9 @@ struct Variant
 
 /// Reads "ID; name=value; name=value" with the names integrator, step_voxels,
 /// termination_threshold, skipping (true or false), macrocell_voxels, jitter (true or false),
-/// jitter_seed, table_size, work_group_shape, slice_extent,
-/// slice_threads, slice_target, slice_order and, for peers, sample_distance_voxels. Throws
-/// std::runtime_error that quotes what it cannot read.
+/// jitter_seed, table_size, work_group_shape, opencl_device,
+/// opencl_storage, slice_extent, slice_threads, slice_target, slice_order and, for peers,
+/// sample_distance_voxels. Throws std::runtime_error that quotes what it cannot read.
 VOLUMEBENCHBENCHMARK_EXPORT Variant ParseVariant(const std::string& text);
 
 /// `settings` with the values of a variant in place. Throws for unknown names and values.

@@ -172,6 +172,8 @@ volumebench::ExperimentSettings vtkVolumeBenchmark::MakeSettings() const
   settings.Own.Jitter = this->Jitter;
   settings.Own.JitterSeed = this->JitterSeed;
   settings.Own.WorkGroupShape = this->WorkGroupShape;
+  settings.Own.OpenClDevice = this->OpenClDevice;
+  settings.Own.OpenClStorage = this->OpenClStorage;
   settings.Own.SliceExtent = this->SliceExtent;
   settings.Own.SliceThreads = this->SliceThreads;
   settings.Own.SliceTarget = this->SliceTarget;

@@ -107,6 +107,10 @@ public:
   /** Settings that only some techniques have, as in vtkVolumeBenchMapper. */
   vtkSetStdStringFromCharMacro(WorkGroupShape);
   vtkGetCharFromStdStringMacro(WorkGroupShape);
+  vtkSetStdStringFromCharMacro(OpenClDevice);
+  vtkGetCharFromStdStringMacro(OpenClDevice);
+  vtkSetMacro(OpenClStorage, int);
+  vtkGetMacro(OpenClStorage, int);
   vtkSetMacro(SliceExtent, int);
   vtkGetMacro(SliceExtent, int);
   vtkSetMacro(SliceThreads, int);
@@ -210,6 +214,8 @@ protected:
   int BlendMode = 0;
   double LightingDamping = 0.0;
   std::string WorkGroupShape = "Auto";
+  std::string OpenClDevice = "Auto";
+  int OpenClStorage = 0;
   int SliceExtent = 0;
   int SliceThreads = 0;
   int SliceTarget = 0;

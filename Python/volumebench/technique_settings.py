@@ -7,6 +7,7 @@ from typing import Any
 Settings = tuple[tuple[str, Any], ...]
 
 _SHAPE = re.compile(r"Auto|[1-9][0-9]{0,3}x[1-9][0-9]{0,3}")
+_DEVICE = re.compile(r"Auto|[^;]+: [^;]+")
 _CASTING = ("single-pass", "multi-pass", "compute", "opencl", "cuda")
 _SLICING = ("slices", "slices-threaded")
 _VTK = ("vtk-gpu", "vtk-fixed-point")
@@ -22,6 +23,7 @@ class TechniqueSetting:
     expected: str = ""
     kind: type = str
     limits: tuple[float, float] | None = None
+    pattern: re.Pattern = _SHAPE
 
     def accepts(self, value: Any) -> bool:
         """Tell whether the value is one that the setting can take."""
@@ -30,7 +32,7 @@ class TechniqueSetting:
             return number and self.limits[0] <= value <= self.limits[1]
         if self.values:
             return type(value) is type(self.values[0]) and value in self.values
-        return isinstance(value, str) and _SHAPE.fullmatch(value) is not None
+        return isinstance(value, str) and self.pattern.fullmatch(value) is not None
 
     def choice(self) -> str:
         """Return the values for readers."""
@@ -57,7 +59,15 @@ TECHNIQUE_SETTINGS = {
         *(int, (0, 64)),
     ),
     "work_group_shape": TechniqueSetting(
-        "WorkGroupShape", ("compute",), (), "Auto, or WIDTHxHEIGHT such as 16x8"
+        *("WorkGroupShape", ("compute", "opencl"), ()),
+        "Auto, or WIDTHxHEIGHT such as 16x8",
+    ),
+    "opencl_device": TechniqueSetting(
+        *("OpenclDevice", ("opencl",), (), "Auto, or PLATFORM: DEVICE"),
+        pattern=_DEVICE,
+    ),
+    "opencl_storage": TechniqueSetting(
+        "OpenclStorage", ("opencl",), ("Auto", "Images", "Buffers")
     ),
     "slice_extent": TechniqueSetting(
         "SliceExtent", _SLICING, ("Vertex Depth", "Vertex Distance", "Central Ray")

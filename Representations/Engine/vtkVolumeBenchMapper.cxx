@@ -250,6 +250,8 @@ void vtkVolumeBenchMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "TerminationThreshold: " << this->TerminationThreshold << "\n";
   os << indent << "RaySetUp: " << this->RaySetUp << "\n";
   os << indent << "WorkGroupShape: " << this->WorkGroupShape << "\n";
+  os << indent << "OpenClDevice: " << this->OpenClDevice << "\n";
+  os << indent << "OpenClStorage: " << this->OpenClStorage << "\n";
   os << indent << "SliceExtent: " << this->SliceExtent << "\n";
   os << indent << "SliceThreads: " << this->SliceThreads << "\n";
   os << indent << "SliceTarget: " << this->SliceTarget << "\n";

@@ -156,12 +156,24 @@ public:
 
   ///@{
   /**
-   * Technique compute: pixels of a work group as "WIDTHxHEIGHT": one of the 18 shapes from 4x1 to
+   * Techniques compute and opencl: pixels of a work group as "WIDTHxHEIGHT": one of the 18 shapes from 4x1 to
    * 16x8 in the table of Sans & Carmona 2016, or 16x16 or 32x16, which they tried as well; or
    * "Auto" (default), which measures a few of them once per class of scene.
    */
   vtkSetStdStringFromCharMacro(WorkGroupShape);
   vtkGetCharFromStdStringMacro(WorkGroupShape);
+  ///@}
+
+  ///@{
+  /**
+   * Technique opencl: the device that draws, as "PLATFORM: DEVICE", or "Auto" (default) for a
+   * graphics card or else a CPU; and where its kernels find volume and tables. 0: in what suits the
+   * device (default); 1: in images, which it filters; 2: in buffers, which they filter.
+   */
+  vtkSetStdStringFromCharMacro(OpenClDevice);
+  vtkGetCharFromStdStringMacro(OpenClDevice);
+  vtkSetMacro(OpenClStorage, int);
+  vtkGetMacro(OpenClStorage, int);
   ///@}
 
   ///@{
@@ -359,6 +371,8 @@ protected:
   double TerminationThreshold = 0.001;
   int RaySetUp = 1;
   std::string WorkGroupShape = "Auto";
+  std::string OpenClDevice = "Auto";
+  int OpenClStorage = 0;
   int SliceExtent = 0;
   int SliceThreads = 0;
   int SliceTarget = 0;

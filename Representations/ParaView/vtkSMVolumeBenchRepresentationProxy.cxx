@@ -10,7 +10,7 @@ namespace
 {
 // Known only to a process that has drawn the picture.
 constexpr const char* PictureRows[] = { "UsedText", "LeftOutText", "LastFrameMs",
-  "FullScaleSamples" };
+  "FullScaleSamples", "OpenclDevices" };
 
 constexpr const char* ErrorRows[] = { "ErrorText", "ErrorRmse", "LargestError", "ReferenceSeconds",
   "FrameMs" };

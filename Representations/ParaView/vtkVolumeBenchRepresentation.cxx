@@ -69,6 +69,8 @@ vtkVolumeBenchForwardMacro(RaySetUp, int);
 vtkVolumeBenchForwardMacro(Jitter, bool);
 vtkVolumeBenchForwardMacro(JitterSeed, int);
 vtkVolumeBenchForwardMacro(WorkGroupShape, const char*);
+vtkVolumeBenchForwardMacro(OpenClDevice, const char*);
+vtkVolumeBenchForwardMacro(OpenClStorage, int);
 vtkVolumeBenchForwardMacro(SliceExtent, int);
 vtkVolumeBenchForwardMacro(SliceOrder, int);
 vtkVolumeBenchForwardMacro(SliceTarget, int);

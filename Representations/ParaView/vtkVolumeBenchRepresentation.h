@@ -21,6 +21,7 @@
 #include "RankBoxes.h"                        // for a member
 #include "VolumeBenchRepresentationsModule.h" // for the export macro
 #include "vtkImageVolumeRepresentation.h"
+#include "vtkStringArray.h" // for a member
 #include "vtkWeakPointer.h" // for the renderer
 
 #include <string> // for messages
@@ -62,6 +63,8 @@ public:
   void SetJitter(bool jitter);
   void SetJitterSeed(int seed);
   void SetWorkGroupShape(const char* shape);
+  void SetOpenClDevice(const char* device);
+  void SetOpenClStorage(int storage);
   void SetSliceExtent(int extent);
   void SetSliceOrder(int order);
   void SetSliceTarget(int target);
@@ -112,6 +115,12 @@ public:
   double GetFullScaleSamples();
   ///@}
 
+  /**
+   * "Auto" and, once technique opencl is in use, the OpenCL devices of this process's machine:
+   * asking for them loads their drivers.
+   */
+  vtkStringArray* GetOpenClDevices();
+
   void SetVisibility(bool visible) override;
   int ProcessViewRequest(
     vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo) override;
@@ -147,6 +156,7 @@ private:
   bool GradientOpacity = false;
   double GradientOpacityRange[2] = { 0.0, 0.0 };
   vtkNew<vtkPiecewiseFunction> GradientFunction;
+  vtkNew<vtkStringArray> OpenClDevices;
 
   vtkNew<vtkVolumeProperty> DefaultProperty; // used while no array is chosen
   vtkDataObject* RampedData = nullptr;       // whose range the default ramp spans; never read

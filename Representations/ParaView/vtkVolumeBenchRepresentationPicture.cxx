@@ -1,6 +1,8 @@
-// The part of vtkVolumeBenchRepresentation that tells what the last picture cost and left out.
+// The part of vtkVolumeBenchRepresentation that tells what the last picture cost and left out, and
+// on what it may be drawn.
 #include "vtkVolumeBenchRepresentation.h"
 
+#include "OpenCl/OpenClDevices.h"
 #include "vtkVolumeBenchMapper.h"
 
 #include "vtkMath.h"
@@ -32,4 +34,18 @@ double vtkVolumeBenchRepresentation::GetFullScaleSamples()
 double vtkVolumeBenchRepresentation::GetLastFrameMs()
 {
   return this->IsDrawn() ? this->GetMapper()->GetFrameMs() : vtkMath::Nan();
+}
+
+vtkStringArray* vtkVolumeBenchRepresentation::GetOpenClDevices()
+{
+  this->OpenClDevices->SetNumberOfValues(0);
+  this->OpenClDevices->InsertNextValue("Auto");
+  if (std::string(this->GetMapper()->GetTechnique()) == "opencl")
+  {
+    for (const volumebench::OpenClDevice& device : volumebench::OpenClDevices())
+    {
+      this->OpenClDevices->InsertNextValue(device.Name);
+    }
+  }
+  return this->OpenClDevices;
 }

@@ -1,6 +1,7 @@
 // OpenCL C 1.2, built with -cl-single-precision-constant. Images cannot sit in structs, so every
 // function that samples takes what its features need beside the scene: volume and filtered tables as
 // images, or as buffers WITH_BUFFERS, which suits devices without texture units.
+#pragma OPENCL FP_CONTRACT OFF // a ray gathers the same in every kernel, and compensation works
 typedef float real;
 typedef float2 vec2;
 typedef float3 vec3;

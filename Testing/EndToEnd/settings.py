@@ -40,6 +40,8 @@ OURS = {
     "GradientOpacity": 1,
     "GradientOpacityRange": [1.5, 40.0],
     "WorkGroupShape": "8x4",
+    "OpenclDevice": "Portable Computing Language: none",
+    "OpenclStorage": "Images",
     "SliceExtent": "Central Ray",
     "SliceOrder": "Back to Front",
     "SliceTarget": "RGBA16F",

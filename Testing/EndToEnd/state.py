@@ -41,6 +41,8 @@ SETTINGS = {
     "GradientOpacity": 1,
     "GradientOpacityRange": [1.5, 40.0],
     "WorkGroupShape": "8x4",
+    "OpenclDevice": "Portable Computing Language: none",
+    "OpenclStorage": "Images",
     "SliceExtent": "Central Ray",
     "SliceOrder": "Back to Front",
     "SliceTarget": "RGBA16F",

@@ -159,7 +159,7 @@ const OpenClDevice& ChooseOpenClDevice(
   const std::vector<OpenClDevice>& devices, const std::string& name)
 {
   const auto found = std::find_if(devices.begin(), devices.end(),
-    [&name](const OpenClDevice& device) { return name.empty() || device.Name == name; });
+    [&name](const OpenClDevice& device) { return name == "Auto" || device.Name == name; });
   if (found == devices.end())
   {
     std::string known;
@@ -167,7 +167,7 @@ const OpenClDevice& ChooseOpenClDevice(
     {
       known += (known.empty() ? "'" : ", '") + device.Name + "'";
     }
-    throw SceneError("there is no OpenCL device '" + name + "'; known are " + known);
+    throw SceneError("there is no OpenCL device '" + name + "'; known are Auto, " + known);
   }
   return *found;
 }

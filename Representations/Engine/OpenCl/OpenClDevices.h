@@ -29,7 +29,7 @@ VOLUMEBENCHENGINE_EXPORT const std::vector<OpenClDevice>& OpenClDevices();
 /// Why there is no device to use; empty when there is one.
 VOLUMEBENCHENGINE_EXPORT std::string WhyNoOpenClDevice();
 
-/// The device of this name among `devices`, the first for an empty one. Throws SceneError that
+/// The device of this name among `devices`, the first for "Auto". Throws SceneError that
 /// lists those there are.
 VOLUMEBENCHENGINE_EXPORT const OpenClDevice& ChooseOpenClDevice(
   const std::vector<OpenClDevice>& devices, const std::string& name);

@@ -194,7 +194,7 @@ enum class OpenClStorage
 
 struct OpenClChoice
 {
-  std::string Device; // "PLATFORM: DEVICE"; empty for a graphics card, or else a CPU
+  std::string Device = "Auto"; // "PLATFORM: DEVICE", or a graphics card or else a CPU
   OpenClStorage Storage = OpenClStorage::Auto;
   int Lanes = 0; // steps side by side on a CPU: 1, 8 or 16; 0 for as many as its vectors hold
 };

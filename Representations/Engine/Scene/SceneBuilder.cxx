@@ -82,6 +82,8 @@ Sampling BuildSampling(vtkVolumeBenchMapper* mapper)
   sampling.MacrocellVoxels = mapper->GetMacrocellVoxels();
   sampling.WorkGroup = WorkGroupOf(mapper->GetWorkGroupShape());
   sampling.Slices = BuildSlicing(mapper);
+  sampling.OpenCl = { mapper->GetOpenClDevice(),
+    static_cast<OpenClStorage>(Checked(mapper->GetOpenClStorage(), 2, "OpenCL storage")) };
   sampling.Method =
     static_cast<ReferenceMethod>(Checked(mapper->GetReferenceMethod(), 1, "reference method"));
   if (sampling.MacrocellVoxels != 0 && sampling.MacrocellVoxels < 2)
