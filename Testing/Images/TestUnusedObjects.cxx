@@ -1,6 +1,7 @@
-// OpenGL objects that only some feature needs are gone when it is no longer used.
+// Objects of OpenGL and OpenCL that only some feature needs are gone when it is no longer used.
 #include "ConformanceScene.h"
 #include "EveryTechnique.h"
+#include "SentData.h"
 
 #include "Techniques/Technique.h"
 
@@ -22,19 +23,20 @@ struct Objects
 {
   int Textures = 0;
   int Framebuffers = 0;
+  int OpenCl = 0;        // buffers and images
   std::size_t Bytes = 0; // as the technique counts them
 
   bool operator==(const Objects& other) const
   {
     return this->Textures == other.Textures && this->Framebuffers == other.Framebuffers &&
-      this->Bytes == other.Bytes;
+      this->OpenCl == other.OpenCl && this->Bytes == other.Bytes;
   }
 };
 
 std::ostream& operator<<(std::ostream& out, const Objects& objects)
 {
   return out << objects.Textures << " textures, " << objects.Framebuffers << " framebuffers, "
-             << objects.Bytes << " bytes";
+             << objects.OpenCl << " buffers and images of OpenCL, " << objects.Bytes << " bytes";
 }
 
 // All that the context has, VTK's own included, after a picture.
@@ -50,6 +52,7 @@ Objects ObjectsOf(RenderScene& scene)
     objects.Textures += glIsTexture(name) == GL_TRUE;
     objects.Framebuffers += glIsFramebuffer(name) == GL_TRUE;
   }
+  objects.OpenCl = OpenClObjects();
   objects.Bytes = scene.Mapper->GetSetUpCosts().BytesOnDevice;
   return objects;
 }
@@ -83,7 +86,8 @@ protected:
     EXPECT_NE(
       (" " + this->Scene.Mapper->GetFeatures() + " ").find(" " + feature + " "), std::string::npos)
       << feature;
-    EXPECT_GT(with.Textures, before.Textures) << feature << " needs no texture";
+    EXPECT_GT(with.Textures + with.OpenCl, before.Textures + before.OpenCl)
+      << feature << " needs no object";
     off();
     EXPECT_EQ(ObjectsOf(this->Scene), before) << "of " << feature;
   }

@@ -1,5 +1,7 @@
 #include "SentData.h"
 
+#include "OpenCl/OpenClApi.h"
+
 #include "vtk_glew.h"
 
 #include <dlfcn.h>
@@ -91,6 +93,68 @@ void GLAPIENTRY CountLinkProgram(GLuint program)
   linkProgram(program);
 }
 
+// OpenCL's functions are called through a table of ours, which is no constant in memory.
+volumebench::OpenClApi& OpenClTable()
+{
+  return const_cast<volumebench::OpenClApi&>(volumebench::OpenCl());
+}
+
+volumebench::OpenClApi before; // the table without what counts
+int openClObjects = 0;
+
+cl_int CL_API_CALL CountWriteBuffer(cl_command_queue queue, cl_mem buffer, cl_bool waits,
+  size_t offset, size_t size, const void* data, cl_uint count, const cl_event* events,
+  cl_event* done)
+{
+  Count(sent.Writes, data);
+  return before.EnqueueWriteBuffer(queue, buffer, waits, offset, size, data, count, events, done);
+}
+
+cl_int CL_API_CALL CountWriteImage(cl_command_queue queue, cl_mem image, cl_bool waits,
+  const size_t* origin, const size_t* region, size_t row, size_t slice, const void* data,
+  cl_uint count, const cl_event* events, cl_event* done)
+{
+  Count(sent.Writes, data);
+  return before.EnqueueWriteImage(
+    queue, image, waits, origin, region, row, slice, data, count, events, done);
+}
+
+cl_mem CL_API_CALL CountBuffer(
+  cl_context context, cl_mem_flags flags, size_t size, void* data, cl_int* status)
+{
+  ++openClObjects;
+  return before.CreateBuffer(context, flags, size, data, status);
+}
+
+cl_mem CL_API_CALL CountImage(cl_context context, cl_mem_flags flags, const cl_image_format* format,
+  const cl_image_desc* description, void* data, cl_int* status)
+{
+  ++openClObjects;
+  return before.CreateImage(context, flags, format, description, data, status);
+}
+
+cl_int CL_API_CALL CountRelease(cl_mem object)
+{
+  --openClObjects;
+  return before.ReleaseMemObject(object);
+}
+
+void CountOpenCl()
+{
+  static const bool once = []
+  {
+    volumebench::OpenClApi& table = OpenClTable();
+    before = table;
+    table.EnqueueWriteBuffer = &CountWriteBuffer;
+    table.EnqueueWriteImage = &CountWriteImage;
+    table.CreateBuffer = &CountBuffer;
+    table.CreateImage = &CountImage;
+    table.ReleaseMemObject = &CountRelease;
+    return true;
+  }();
+  (void)once;
+}
+
 // Puts one function in another's place while it lives.
 template <typename Function>
 class Exchange
@@ -121,8 +185,15 @@ SentData SentBy(const std::function<void()>& action)
   const Exchange slabs(glTexSubImage3D, texSubImage3D, &CountTexSubImage3D);
   const Exchange blocks(glBufferData, bufferData, &CountBufferData);
   const Exchange programs(glLinkProgram, linkProgram, &CountLinkProgram);
+  CountOpenCl();
   sent = {};
   action();
   return sent;
+}
+
+int OpenClObjects()
+{
+  CountOpenCl();
+  return openClObjects;
 }
 }

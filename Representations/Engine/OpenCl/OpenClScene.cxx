@@ -68,6 +68,7 @@ void OpenClScene::Update(
     this->Release();
     this->Session = &session;
     this->Buffers = buffers;
+    this->Numbers.ResizeBuffer(session, sizeof(SceneBlock), CL_MEM_READ_ONLY);
   }
   this->Features = features;
   this->Nearest = scene.Volume.Nearest;
@@ -251,7 +252,6 @@ std::string OpenClScene::GetDefines() const
 
 void OpenClScene::SetNumbers(const SceneBlock& numbers)
 {
-  this->Numbers.ResizeBuffer(*this->Session, sizeof(numbers), CL_MEM_READ_ONLY);
   this->Numbers.Write(&numbers, sizeof(numbers));
 }
 
@@ -311,6 +311,7 @@ void OpenClScene::Release()
   {
     table->Used = false;
   }
+  this->Session = nullptr;
   this->TexelStamp = this->TableStamp = this->CellStamp = 0;
 }
 }

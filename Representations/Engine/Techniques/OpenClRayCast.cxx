@@ -126,7 +126,6 @@ void OpenClRayCast::Compile(const Scene& scene)
   if (device.IsCpu())
   {
     // Compiles the rest: a launch without a ray.
-    this->Data.SetNumbers({});
     const glm::ivec2 shape = scene.Sampling.WorkGroup;
     this->Cast({}, shape.x > 0 ? shape : CpuWorkGroup);
   }
