@@ -19,12 +19,14 @@ from .session_view import ViewStage
 from .stability_study import StabilityStudy
 from .start import StartRow, measure_start
 from .study import Run, Scene, Study
+from .techniques import TECHNIQUES
 from .transfer_functions import TransferFunction
 from .view_measure import Contestant, Pictures, measure_view
 from .volume_io import OpenVolume, bytes_of, copy_of, open_volume
 
 PLUGIN_VARIABLE = "VOLUMEBENCH_PLUGIN"
 PLUGIN_NAME = "VolumeBench"
+_OPENCL = "opencl"
 _REPOSITORY = Path(__file__).resolve().parents[2]
 
 
@@ -60,7 +62,8 @@ class Session:
         if self._plugin_version is None:
             raise BenchError(f"plugin {plugin}: ParaView did not load it")
         self._plugin = plugin
-        self._gl, self._labels = _probe()
+        used = study is not None and _OPENCL in study.techniques
+        self._gl, self._labels, self._opencl_device = _probe(used)
 
     def context(self) -> Context:
         """Return what the figures depend on beside the study."""
@@ -76,6 +79,7 @@ class Session:
             vtk=vtkVersion.GetVTKVersion(),
             plugin=self._plugin_version,
             build_type=_build_type(self._plugin),
+            opencl_device=self._opencl_device,
         )
 
     def open_volume(self, file: VolumeFile) -> OpenVolume:
@@ -132,8 +136,11 @@ class Session:
         ]
 
 
-def _probe() -> tuple[Any, list[str]]:
-    """Return the OpenGL information and the representation labels, from a view that is deleted."""
+def _probe(opencl_is_used: bool) -> tuple[Any, list[str], str | None]:
+    """Return the OpenGL information, the representation labels and OpenCL's device, if it is used.
+
+    They are those of a view that is deleted.
+    """
     view = simple.CreateRenderView()
     source = simple.Wavelet(WholeExtent=[0, 1, 0, 1, 0, 1])
     display = simple.Show(source, view, "UniformGridRepresentation")
@@ -141,9 +148,18 @@ def _probe() -> tuple[Any, list[str]]:
     gl = servermanager.vtkPVOpenGLInformation()
     gl.CopyFromObject(None)
     labels = list(display.GetProperty("Representation").Available)
+    device = _opencl_device(display) if opencl_is_used else None
     for proxy in (display, source, view):
         simple.Delete(proxy)
-    return gl, labels
+    return gl, labels, device
+
+
+def _opencl_device(display: Any) -> str | None:
+    """Return the device that Volume OpenCL takes unless it is told another."""
+    display.SetRepresentationType(TECHNIQUES[_OPENCL].representation)
+    display.SMProxy.UpdatePropertyInformation()
+    devices = list(display.GetProperty("OpenclDevice").Available)
+    return devices[1] if len(devices) > 1 else None
 
 
 def _loaded_version() -> str | None:

@@ -45,7 +45,9 @@ STUDY = {
         "own": ["ramp"],
         "thin": ["edges"],
     },
-    "techniques": ["single-pass", "compute", "vtk-gpu", "cuda", "paraview-volume"],
+    "techniques": [
+        *("single-pass", "compute", "opencl", "vtk-gpu", "cuda", "paraview-volume")
+    ],
     "technique_settings": {"single-pass": {"table_size": [0, 64]}},
     "technique_settings_scenes": [{"dataset": "own"}],
     "step_voxels": [1, 0.5],
@@ -128,14 +130,16 @@ def check_same_rows(folder: Path, study: Path) -> None:
     there = bench(PVPYTHON, study, "--out", theirs, *inputs)
     assert there.returncode == 0, there.stderr
     read = [read_results(place / "results.json") for place in (ours, theirs)]
-    (context, rows), (_, expected) = read
+    (context, rows), (there_context, expected) = read
     assert context.gl_renderer in done.stdout and context.paraview is None
+    assert context.opencl_device == there_context.opencl_device, context
+    assert ": " in context.opencl_device, context
     keys = [[row.run().key() for row in records] for records in (rows, expected)]
     assert keys[0] == keys[1], "other rows, or in another order"
     compared = [
         compare(*pair) for pair in zip(rows, expected) if pair[0].path == "engine"
     ]
-    assert sum(compared) == 2 * (4 * (2 + 2 + 1) + 2), compared
+    assert sum(compared) == 2 * (4 * (2 + 2 + 2 + 1) + 2), compared
     views = {row.status for row in rows if row.path == "view"}
     assert views == {"unsupported"}, views
     check_report(study, ours, inputs)

@@ -1,5 +1,7 @@
 #include "MachineContext.h"
 
+#include "OpenCl/OpenClDevices.h"
+
 #include "vtkVersion.h"
 
 #include <sched.h>
@@ -60,14 +62,16 @@ Json CoreCount()
 }
 }
 
-Json MachineContext(const OpenGlNames& names)
+Json MachineContext(const OpenGlNames& names, bool openClIsUsed)
 {
+  const bool openCl = openClIsUsed && !OpenClDevices().empty();
   return Json{ { "date", UtcNow() }, { "host", TextOrNull(HostName()) },
     { "cpu", TextOrNull(CpuName()) }, { "cores", CoreCount() },
     { "gl_renderer", TextOrNull(names.Renderer) }, { "gl_version", TextOrNull(names.Version) },
     { "paraview", nullptr }, { "vtk", vtkVersion::GetVTKVersion() },
     { "plugin", VOLUMEBENCH_VERSION }, { "build_type", TextOrNull(VOLUMEBENCH_BUILD_TYPE) },
-    { "cuda_device", nullptr }, { "opencl_device", nullptr } };
+    { "cuda_device", nullptr },
+    { "opencl_device", openCl ? Json(OpenClDevices().front().Name) : Json() } };
 }
 
 double FreeMemoryGb()

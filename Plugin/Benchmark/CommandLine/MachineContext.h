@@ -8,8 +8,9 @@
 
 namespace volumebench
 {
-/// The keys of the context in their order; null is what this program has none of.
-nlohmann::ordered_json MachineContext(const OpenGlNames& names);
+/// The keys of the context in their order; null is what this program has none of. The device of
+/// OpenCL is told, and its drivers are loaded, only where it is used.
+nlohmann::ordered_json MachineContext(const OpenGlNames& names, bool openClIsUsed);
 
 /// The memory that this machine can give, in units of 2^30 bytes; infinity when it does not tell.
 double FreeMemoryGb();

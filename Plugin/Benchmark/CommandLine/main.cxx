@@ -5,6 +5,7 @@
 #include "MachineContext.h"
 #include "OpenGlWindow.h"
 #include "Options.h"
+#include "Study/Lists.h"
 #include "Study/StudyFile.h"
 #include "Study/StudyRunner.h"
 #include "TextFile.h"
@@ -32,7 +33,7 @@ int RunCalibration(const Options& options)
   std::cout << names.Renderer << ", OpenGL " << names.Version << std::endl;
   const Calibration calibration = Calibrate(MakeCalibrationSettings(options.Quick),
     [](const std::string& what) { std::cerr << "measuring " << what << std::endl; });
-  const auto document = CalibrationDocument(calibration, MachineContext(names));
+  const auto document = CalibrationDocument(calibration, MachineContext(names, false));
   WriteTextFile(path, document.dump(1) + "\n");
   std::cout << CalibrationTable(calibration) << "Written to " << path << std::endl;
   return 0;
@@ -117,8 +118,9 @@ int MeasureStudy(const Options& options)
   const OpenGlNames names = NamesOfDevice();
   std::cout << names.Renderer << ", OpenGL " << names.Version << std::endl;
   const std::size_t count = study.Runs().size();
+  const bool openCl = Holds(study.Techniques, "opencl");
   const std::vector<Json> rows =
-    RunStudy(study, { options.Out, options.Data }, MachineContext(names),
+    RunStudy(study, { options.Out, options.Data }, MachineContext(names, openCl),
       [&](const std::string& what, std::size_t done)
       { std::cerr << "[" << done << " of " << count << " rows] " << what << std::endl; });
   const bool anyMeasured = PrintRows(rows);
