@@ -158,7 +158,8 @@ public:
   /**
    * Techniques compute and opencl: pixels of a work group as "WIDTHxHEIGHT": one of the 18 shapes from 4x1 to
    * 16x8 in the table of Sans & Carmona 2016, or 16x16 or 32x16, which they tried as well; or
-   * "Auto" (default), which measures a few of them once per class of scene.
+   * "Auto" (default), which measures a few of them once per class of scene, or for OpenCL on a CPU
+   * takes 16x8.
    */
   vtkSetStdStringFromCharMacro(WorkGroupShape);
   vtkGetCharFromStdStringMacro(WorkGroupShape);
