@@ -71,6 +71,29 @@ TEST(VolumeUpload, SlabsJoinToTheWhole)
   EXPECT_EQ(joined, whole);
 }
 
+TEST(VolumeUpload, LargeVolumesAreConvertedInSlabsOfFewMegabytes)
+{
+  constexpr int Slices = 13;
+  constexpr std::size_t SliceBytes = std::size_t(4) * 512 * 512; // four to a slab
+  const Volume volume = Build(MakeImage(
+    512, 512, Slices, [](double i, double j, double k) { return i + 3 * j + 7 * k; }, VTK_FLOAT));
+  std::vector<unsigned char> whole;
+  ConvertSlab(volume, 0, Slices, whole);
+  std::vector<unsigned char> joined;
+  int slabs = 0;
+  ConvertInSlabs(volume,
+    [&](int first, int count, const std::vector<unsigned char>& texels)
+    {
+      EXPECT_EQ(joined.size(), first * SliceBytes);
+      EXPECT_EQ(texels.size(), count * SliceBytes);
+      EXPECT_LE(texels.size(), std::size_t(4) << 20);
+      joined.insert(joined.end(), texels.begin(), texels.end());
+      ++slabs;
+    });
+  EXPECT_EQ(slabs, 4);
+  EXPECT_TRUE(joined == whole);
+}
+
 TEST(VolumeUpload, NonFiniteValuesDoNotReachTheTexture)
 {
   const Volume volume =

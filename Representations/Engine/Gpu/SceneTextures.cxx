@@ -4,25 +4,15 @@
 #include "Gpu/GlContextGuard.h"
 #include "Gpu/VolumeUpload.h"
 #include "Scene/CellMap.h"
+#include "Stopwatch.h"
 
 #include "vtk_glew.h"
 
-#include <algorithm>
-#include <chrono>
 
 namespace volumebench
 {
 namespace
 {
-constexpr std::size_t SlabBytes = std::size_t(4) << 20;
-
-using Clock = std::chrono::steady_clock;
-
-double MillisecondsSince(Clock::time_point begin)
-{
-  return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
-}
-
 struct GlFormat
 {
   GLenum Internal;
@@ -95,10 +85,10 @@ void SceneTextures::Update(const Scene& scene, const FeatureSet& features)
   if (scene.Volume.TexelStamp != this->TexelStamp || !this->Volume.IsCreated())
   {
     this->TexelStamp = 0;
-    const Clock::time_point begin = Clock::now();
+    const Stopwatch watch;
     this->UpdateVolume(scene.Volume);
     this->UpdateBlanking(scene.Volume);
-    this->UploadMs = MillisecondsSince(begin);
+    this->UploadMs = watch.ElapsedMs();
     this->TexelStamp = scene.Volume.TexelStamp;
     this->Nearest = scene.Volume.Nearest;
   }
@@ -112,9 +102,9 @@ void SceneTextures::Update(const Scene& scene, const FeatureSet& features)
   if (scene.TransferFunction.Stamp != this->TableStamp ||
     TablesOf(features) != this->TableFeatures || !this->Table.IsCreated())
   {
-    const Clock::time_point begin = Clock::now();
+    const Stopwatch watch;
     this->UpdateTables(scene.TransferFunction, features);
-    this->TablesMs = MillisecondsSince(begin);
+    this->TablesMs = watch.ElapsedMs();
     this->TableStamp = scene.TransferFunction.Stamp;
     this->TableFeatures = TablesOf(features);
   }
@@ -136,7 +126,7 @@ void SceneTextures::UpdateCells(const Skipping& skipping, const FeatureSet& feat
   {
     return;
   }
-  const Clock::time_point begin = Clock::now();
+  const Stopwatch watch;
   const bool extremes = !map.Extremes.empty();
   this->Cells.Bind(GL_TEXTURE_3D);
   this->Cells.SetSampling(false);
@@ -149,7 +139,7 @@ void SceneTextures::UpdateCells(const Skipping& skipping, const FeatureSet& feat
     extremes ? map.Extremes.size() * sizeof(float) : map.Codes.size() * sizeof(std::uint16_t);
   CheckMemory(this->CellBytes);
   this->CellStamp = map.Stamp;
-  this->GridMs = skipping.GridMs + MillisecondsSince(begin);
+  this->GridMs = skipping.GridMs + watch.ElapsedMs();
 }
 
 void SceneTextures::UpdateVolume(const volumebench::Volume& volume)
@@ -185,17 +175,12 @@ void SceneTextures::UpdateVolume(const volumebench::Volume& volume)
 void SceneTextures::UploadSlabs(const volumebench::Volume& volume)
 {
   const GlFormat format = FormatOf(volume);
-  const std::size_t sliceBytes =
-    static_cast<std::size_t>(volume.Texels.x) * volume.Texels.y * TexelBytes(volume);
-  const int slabSlices = static_cast<int>(std::max<std::size_t>(1, SlabBytes / sliceBytes));
-  std::vector<unsigned char> texels;
-  for (int slice = 0; slice < volume.Texels.z; slice += slabSlices)
-  {
-    const int count = std::min(slabSlices, volume.Texels.z - slice);
-    ConvertSlab(volume, slice, count, texels);
-    glTexSubImage3D(GL_TEXTURE_3D, 0, 0, 0, slice, volume.Texels.x, volume.Texels.y, count,
-      format.External, format.Type, texels.data());
-  }
+  ConvertInSlabs(volume,
+    [&](int slice, int count, const std::vector<unsigned char>& texels)
+    {
+      glTexSubImage3D(GL_TEXTURE_3D, 0, 0, 0, slice, volume.Texels.x, volume.Texels.y, count,
+        format.External, format.Type, texels.data());
+    });
 }
 
 void SceneTextures::UpdateBlanking(const volumebench::Volume& volume)

@@ -16,6 +16,8 @@ namespace volumebench
 {
 namespace
 {
+constexpr std::size_t SlabBytes = std::size_t(4) << 20;
+
 vtkIdType SliceTexels(const Volume& volume)
 {
   return static_cast<vtkIdType>(volume.Texels.x) * volume.Texels.y;
@@ -196,6 +198,20 @@ void ConvertSlab(
         scalars, worker, volume, firstTuple, texels.data(), count))
   {
     worker(scalars, volume, firstTuple, texels.data(), count);
+  }
+}
+
+void ConvertInSlabs(const Volume& volume,
+  const std::function<void(int, int, const std::vector<unsigned char>&)>& send)
+{
+  const std::size_t sliceBytes = SliceTexels(volume) * TexelBytes(volume);
+  const int slabSlices = static_cast<int>(std::max<std::size_t>(1, SlabBytes / sliceBytes));
+  std::vector<unsigned char> texels;
+  for (int slice = 0; slice < volume.Texels.z; slice += slabSlices)
+  {
+    const int count = std::min(slabSlices, volume.Texels.z - slice);
+    ConvertSlab(volume, slice, count, texels);
+    send(slice, count, texels);
   }
 }
 

@@ -7,6 +7,7 @@
 #include "Scene/Scene.h"
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace volumebench
@@ -26,6 +27,11 @@ VOLUMEBENCHENGINE_EXPORT void ConvertSlab(
 /// Bits of the blanking grid.
 constexpr std::uint8_t BlankBetweenTexels = 1;
 constexpr std::uint8_t BlankRoundTexel = 2;
+
+/// Converts the whole volume in slabs of a few megabytes; `send` gets the first slice, the number of
+/// slices and the texels of each.
+VOLUMEBENCHENGINE_EXPORT void ConvertInSlabs(const Volume& volume,
+  const std::function<void(int, int, const std::vector<unsigned char>&)>& send);
 
 /// The blanking grid of (nx + 1)(ny + 1)(nz + 1) entries. Bit BlankBetweenTexels of entry (i, j, k)
 /// speaks for the cell between the texels i-1..i, j-1..j, k-1..k: one of them is not finite or

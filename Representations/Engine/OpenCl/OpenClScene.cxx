@@ -3,23 +3,13 @@
 #include "Gpu/DeviceTables.h"
 #include "Gpu/VolumeUpload.h"
 #include "Scene/CellBlocks.h"
+#include "Stopwatch.h"
 
-#include <algorithm>
-#include <chrono>
 
 namespace volumebench
 {
 namespace
 {
-constexpr std::size_t SlabBytes = std::size_t(4) << 20;
-
-using Clock = std::chrono::steady_clock;
-
-double MillisecondsSince(Clock::time_point begin)
-{
-  return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
-}
-
 std::size_t Texels(glm::ivec3 size)
 {
   return static_cast<std::size_t>(size.x) * size.y * size.z;
@@ -75,19 +65,19 @@ void OpenClScene::Update(
   if (scene.Volume.TexelStamp != this->TexelStamp || !this->Volume.IsCreated())
   {
     this->TexelStamp = 0;
-    const Clock::time_point begin = Clock::now();
+    const Stopwatch watch;
     this->UpdateVolume(scene.Volume);
     this->UpdateBlanking(scene.Volume);
-    this->UploadMs = MillisecondsSince(begin);
+    this->UploadMs = watch.ElapsedMs();
     this->TexelStamp = scene.Volume.TexelStamp;
   }
   if (scene.TransferFunction.Stamp != this->TableStamp ||
     TablesOf(features) != this->TableFeatures || !this->Classification.Used)
   {
     this->TableStamp = 0;
-    const Clock::time_point begin = Clock::now();
+    const Stopwatch watch;
     this->UpdateTables(scene.TransferFunction);
-    this->TablesMs = MillisecondsSince(begin);
+    this->TablesMs = watch.ElapsedMs();
     this->TableStamp = scene.TransferFunction.Stamp;
     this->TableFeatures = TablesOf(features);
   }
@@ -117,21 +107,18 @@ void OpenClScene::UpdateVolume(const volumebench::Volume& volume)
   this->Format = volume.Format;
   const std::size_t sliceBytes =
     Texels({ volume.Texels.x, volume.Texels.y, 1 }) * TexelBytes(volume);
-  const int slabSlices = static_cast<int>(std::max<std::size_t>(1, SlabBytes / sliceBytes));
-  std::vector<unsigned char> texels;
-  for (int slice = 0; slice < volume.Texels.z; slice += slabSlices)
-  {
-    const int count = std::min(slabSlices, volume.Texels.z - slice);
-    ConvertSlab(volume, slice, count, texels);
-    if (this->Buffers)
+  ConvertInSlabs(volume,
+    [&](int slice, int count, const std::vector<unsigned char>& texels)
     {
-      this->Volume.Write(texels.data(), texels.size(), slice * sliceBytes);
-    }
-    else
-    {
-      this->Volume.WriteImage(texels.data(), slice, count);
-    }
-  }
+      if (this->Buffers)
+      {
+        this->Volume.Write(texels.data(), texels.size(), slice * sliceBytes);
+      }
+      else
+      {
+        this->Volume.WriteImage(texels.data(), slice, count);
+      }
+    });
 }
 
 void OpenClScene::UpdateBlanking(const volumebench::Volume& volume)
@@ -224,7 +211,7 @@ void OpenClScene::UpdateCells(const Skipping& skipping)
   {
     return;
   }
-  const Clock::time_point begin = Clock::now();
+  const Stopwatch watch;
   if (blocks)
   {
     SendAll(this->Cells, *this->Session, BlocksOfCells(map));
@@ -239,7 +226,7 @@ void OpenClScene::UpdateCells(const Skipping& skipping)
   }
   this->CellStamp = map.Stamp;
   this->HasBlocks = blocks;
-  this->GridMs = skipping.GridMs + MillisecondsSince(begin);
+  this->GridMs = skipping.GridMs + watch.ElapsedMs();
 }
 
 std::string OpenClScene::GetDefines() const

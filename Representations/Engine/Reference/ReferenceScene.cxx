@@ -3,11 +3,11 @@
 #include "Gpu/VolumeUpload.h"
 #include "Scene/Features.h"
 #include "Scene/PackScene.h"
+#include "Stopwatch.h"
 
 #include <glm/common.hpp>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstring>
 
@@ -15,13 +15,6 @@ namespace volumebench
 {
 namespace
 {
-using Clock = std::chrono::steady_clock;
-
-double MillisecondsSince(Clock::time_point begin)
-{
-  return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
-}
-
 // As OpenGL reads a linear 1D texture that is clamped to its edge.
 double LinearTable(const std::vector<float>& table, double coordinate)
 {
@@ -75,17 +68,17 @@ void ReferenceScene::Sources::Update(const Scene& scene)
   }
   if (this->FieldStamp != volume.Stamp)
   {
-    const Clock::time_point begin = Clock::now();
+    const Stopwatch watch;
     this->FieldStamp = 0;
     this->FunctionStamp = 0;
     this->Field = ExactField(volume);
     this->Blanks = volume.HasBlanks() ? BlankingGrid(volume) : std::vector<std::uint8_t>();
     this->FieldStamp = volume.Stamp;
-    this->FieldMs = MillisecondsSince(begin);
+    this->FieldMs = watch.ElapsedMs();
   }
   if (this->FunctionStamp != scene.TransferFunction.Stamp)
   {
-    const Clock::time_point begin = Clock::now();
+    const Stopwatch watch;
     this->FunctionStamp = 0;
     const auto& exact = scene.TransferFunction.Exact;
     this->Function = StoredFunction(exact, volume.Mapping, volume.FiniteRange);
@@ -93,7 +86,7 @@ void ReferenceScene::Sources::Update(const Scene& scene)
       ? StoredFunction(exact, volume.ColorMapping, volume.ColorRange)
       : StoredFunction();
     this->FunctionStamp = scene.TransferFunction.Stamp;
-    this->FunctionMs = MillisecondsSince(begin);
+    this->FunctionMs = watch.ElapsedMs();
   }
 }
 

@@ -3,13 +3,12 @@
 #include "Scene/PackScene.h"
 #include "Scene/WorkGroup.h"
 #include "Techniques/WorkGroupChoice.h"
+#include "Stopwatch.h"
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtk_glew.h"
 
 #include <glm/common.hpp>
-
-#include <chrono>
 
 namespace volumebench
 {
@@ -21,13 +20,6 @@ constexpr int LaneColumns = 4; // pixels in a row of the tile of a work item: LA
 
 // Drivers for CPUs compile a kernel anew for each shape, and lose next to nothing with this one.
 constexpr glm::ivec2 CpuWorkGroup(16, 8);
-
-using Clock = std::chrono::steady_clock;
-
-double MillisecondsSince(Clock::time_point begin)
-{
-  return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
-}
 
 bool UsesBuffers(const Scene& scene, const OpenClDevice& device)
 {
@@ -121,7 +113,7 @@ void OpenClRayCast::Compile(const Scene& scene)
     this->Kernel = session.KernelOf(text, "castRays");
     return;
   }
-  const Clock::time_point begin = Clock::now();
+  const Stopwatch watch;
   this->Kernel = session.KernelOf(text, "castRays");
   if (device.IsCpu())
   {
@@ -129,7 +121,7 @@ void OpenClRayCast::Compile(const Scene& scene)
     const glm::ivec2 shape = scene.Sampling.WorkGroup;
     this->Cast({}, shape.x > 0 ? shape : CpuWorkGroup);
   }
-  this->CompileMs = MillisecondsSince(begin);
+  this->CompileMs = watch.ElapsedMs();
 }
 
 double OpenClRayCast::Cast(const Part& part, glm::ivec2 workGroup)
@@ -169,12 +161,12 @@ double OpenClRayCast::Cast(const Part& part, glm::ivec2 workGroup)
 
 void OpenClRayCast::SendDepth(const glm::ivec4& viewport)
 {
-  const Clock::time_point begin = Clock::now();
+  const Stopwatch watch;
   const std::vector<float> depth = this->GetDepth().Read(viewport);
   this->Depth.ResizeBuffer(*this->Session, depth.size() * sizeof(float), CL_MEM_READ_ONLY);
   this->Depth.Write(depth.data(), depth.size() * sizeof(float));
   this->DepthWidth = viewport.z;
-  this->GetFrameStages().Add("opaque depth", MillisecondsSince(begin));
+  this->GetFrameStages().Add("opaque depth", watch.ElapsedMs());
 }
 
 void OpenClRayCast::Draw(
@@ -205,7 +197,7 @@ void OpenClRayCast::Draw(
 
 void OpenClRayCast::Transfer(const Part& part)
 {
-  const Clock::time_point begin = Clock::now();
+  const Stopwatch watch;
   const OpenClApi& cl = OpenCl();
   const glm::ivec2 size = part.End - part.First;
   const std::size_t bytes = sizeof(glm::vec4) * static_cast<std::size_t>(size.x) * size.y;
@@ -220,7 +212,7 @@ void OpenClRayCast::Transfer(const Part& part)
   CheckOpenCl(
     cl.EnqueueUnmapMemObject(queue, this->Result.GetHandle(), texels, 0, nullptr, nullptr),
     "clEnqueueUnmapMemObject");
-  this->GetFrameStages().Add("transfer", MillisecondsSince(begin));
+  this->GetFrameStages().Add("transfer", watch.ElapsedMs());
 }
 
 void OpenClRayCast::Display(vtkOpenGLRenderWindow* window, const glm::ivec4& rectangle)

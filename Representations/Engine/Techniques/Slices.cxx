@@ -2,26 +2,19 @@
 
 #include "Scene/CellMap.h"
 #include "Scene/PackScene.h"
+#include "Stopwatch.h"
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtk_glew.h"
 
 #include <algorithm>
-#include <chrono>
 
 namespace volumebench
 {
 namespace
 {
 constexpr GLuint CornerAttribute = 0; // layout(location) in Slices.vert
-
-using Clock = std::chrono::steady_clock;
-
-double MillisecondsSince(Clock::time_point begin)
-{
-  return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
-}
 
 bool Projects(const FeatureSet& features)
 {
@@ -121,7 +114,7 @@ int Slices::ThreadsFor(const Scene&, int) const
 
 void Slices::UpdatePolygons(const Scene& scene, const TileView& view, const SlabRange& range)
 {
-  const Clock::time_point begin = Clock::now();
+  const Stopwatch watch;
   const int threads = this->ThreadsFor(scene, range.Count);
   const bool tiled = this->LeavesTilesOut();
   const bool known = this->CornerBuffer && view == this->View && range == this->Range &&
@@ -137,7 +130,7 @@ void Slices::UpdatePolygons(const Scene& scene, const TileView& view, const Slab
   }
   const bool backToFront = scene.Sampling.Slices.BackToFront;
   tiled ? this->OrderTiles(backToFront) : this->OrderPolygons(backToFront);
-  this->GetFrameStages().Add("tessellation", MillisecondsSince(begin));
+  this->GetFrameStages().Add("tessellation", watch.ElapsedMs());
   this->GetFrameStages().OnDevice("upload",
     [&]
     {
