@@ -5,7 +5,6 @@
 #include "Scene/CellBlocks.h"
 #include "Stopwatch.h"
 
-
 namespace volumebench
 {
 namespace

@@ -104,9 +104,9 @@ void OpenClRayCast::Compile(const Scene& scene)
   }
   const int lanes = LanesFor(scene, device);
   this->Tile = lanes > 1 ? glm::ivec2(LaneColumns, lanes / LaneColumns) : glm::ivec2(1);
-  const KernelText text = SpecializeKernel(
-    lanes > 1 ? LanesEntry : Entry, FeatureDefines(features) + this->Data.GetDefines() + "#define LANES " +
-      std::to_string(lanes) + "\n",
+  const KernelText text = SpecializeKernel(lanes > 1 ? LanesEntry : Entry,
+    FeatureDefines(features) + this->Data.GetDefines() + "#define LANES " + std::to_string(lanes) +
+      "\n",
     EmbeddedKernel, LineStyle::Names);
   if (this->Kernel && session.HasKernel(text))
   {
