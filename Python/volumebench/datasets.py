@@ -5,7 +5,8 @@ from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 
 from .errors import StudyError
-from .generators import GENERATORS, Generator, write_volume
+from .generated_volume import GeneratedVolume
+from .generators import GENERATORS, write_volume
 from .json_file import check_schema, read_json
 from .study import Dataset, Study
 
@@ -110,10 +111,10 @@ def find_volume(dataset: Dataset, data_folder: Path | None, cache: Path) -> Volu
     )
 
 
-def _generator(dataset: Dataset) -> Generator:
+def _generator(dataset: Dataset) -> GeneratedVolume:
     kind = GENERATORS[dataset.generator or dataset.name]
     given = asdict(dataset)
-    known = (name for name in kind.__dataclass_fields__ if given[name] is not None)
+    known = (name for name in kind.parameters() if given[name] is not None)
     return kind(**{name: given[name] for name in known})
 
 

@@ -1,4 +1,4 @@
-"""Volumes from implicit equations, computed slice by slice so that any size fits in memory."""
+"""Volumes from equations, computed slice by slice so that any size fits in memory, and their files."""
 
 import math
 import os
@@ -6,31 +6,22 @@ import tempfile
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Protocol
+from typing import ClassVar
 
 import numpy as np
 
 from .errors import BenchError
+from .flower import Flower
+from .generated_volume import GeneratedVolume, byte_count, centred
 from .json_file import write_atomically
+from .speckle import Speckle
+from .vessels import Vessels
 
 META_TYPES = {"uint8": "MET_UCHAR", "uint16": "MET_USHORT", "float32": "MET_FLOAT"}
 
 
-class Generator(Protocol):
-    """A volume that is computed from its parameters."""
-
-    dims: tuple[int, int, int]
-    scalar_type: str
-
-    def file_stem(self) -> str:
-        ...
-
-    def slices(self) -> Iterator[np.ndarray]:
-        ...
-
-
 @dataclass(frozen=True)
-class Lemniscate:
+class Lemniscate(GeneratedVolume):
     """Nested Cassini ovals of revolution about z, with Bernoulli's lemniscate among them.
 
     With d1 and d2 the distances to two foci on the z axis and c half their distance apart,
@@ -39,28 +30,24 @@ class Lemniscate:
     peanut. It is scaled to 0 at the corners of the box and 1 at the foci.
     """
 
+    NAME: ClassVar[str] = "lemniscate"
+
     dims: tuple[int, int, int] = (96, 96, 200)
     scalar_type: str = "uint16"
     extent: float = 1.7
 
-    def file_stem(self) -> str:
-        """Return a name that holds every parameter, so that a stored volume can be reused."""
-        size = "x".join(str(count) for count in self.dims)
-        return f"lemniscate-{size}-{self.scalar_type}-extent{self.extent:g}"
-
-    def slices(self) -> Iterator[np.ndarray]:
-        """Yield the slices along z, each [y, x], in the scalar type of the volume."""
+    def fields(self) -> Iterator[np.ndarray]:
+        """Yield the slices along z."""
         axes = self._axes()
         radius_squared = axes[0][None, :] ** 2 + axes[1][:, None] ** 2
         corner = self._field(axes[0][0] ** 2 + axes[1][0] ** 2, axes[2][0])
         for z in axes[2]:
-            value = (self._field(radius_squared, z) - corner) / (1 - corner)
-            yield quantised(value, self.scalar_type)
+            yield (self._field(radius_squared, z) - corner) / (1 - corner)
 
     def _axes(self) -> list[np.ndarray]:
         """Return sample positions in focal distances; z spans [-extent, extent]."""
         spacing = 2 * self.extent / (self.dims[2] - 1)
-        return [(np.arange(n) - (n - 1) / 2) * spacing for n in self.dims]
+        return [centred(count) * spacing for count in self.dims]
 
     @staticmethod
     def _field(radius_squared: np.ndarray, z: float) -> np.ndarray:
@@ -71,12 +58,14 @@ class Lemniscate:
 
 
 @dataclass(frozen=True)
-class Ball:
+class Ball(GeneratedVolume):
     """A hollow ball with a smooth wall, alone in a box that it nearly fills.
 
     With r the distance from the centre, 1 at the nearest faces, the value is
     exp(-((r - 0.62) / 0.16)^2), less what it is at the faces: all nought from there outwards.
     """
+
+    NAME: ClassVar[str] = "ball"
 
     dims: tuple[int, int, int] = (32, 32, 32)
     scalar_type: str = "uint8"
@@ -84,32 +73,29 @@ class Ball:
     RADIUS = 0.62
     WALL = 0.16
 
-    def file_stem(self) -> str:
-        """Return a name that holds every parameter, so that a stored volume can be reused."""
-        size = "x".join(str(count) for count in self.dims)
-        return f"ball-{size}-{self.scalar_type}"
-
-    def slices(self) -> Iterator[np.ndarray]:
-        """Yield the slices along z, each [y, x], in the scalar type of the volume."""
+    def fields(self) -> Iterator[np.ndarray]:
+        """Yield the slices along z."""
         half = (min(self.dims) - 1) / 2
-        x, y, z = ((np.arange(n) - (n - 1) / 2) / half for n in self.dims)
+        x, y, z = (centred(count) / half for count in self.dims)
         radius_squared = x[None, :] ** 2 + y[:, None] ** 2
         edge = self._field(np.float64(1.0))
         for height in z:
             value = self._field(np.sqrt(radius_squared + height**2))
-            yield quantised((value - edge) / (1 - edge), self.scalar_type)
+            yield (value - edge) / (1 - edge)
 
     def _field(self, radius: np.ndarray) -> np.ndarray:
         return np.exp(-(((radius - self.RADIUS) / self.WALL) ** 2))
 
 
 @dataclass(frozen=True)
-class Waves:
+class Waves(GeneratedVolume):
     """A smooth field that fills its box: the sum of one sine along each axis.
 
     With x, y and z from 0 to 1 over the box, the value is
     (3 + sin(4 pi x + 0.5) + sin(3 pi y + 1.7) + sin(5 pi z + 2.9)) / 6.
     """
+
+    NAME: ClassVar[str] = "waves"
 
     dims: tuple[int, int, int] = (128, 128, 128)
     scalar_type: str = "uint16"
@@ -117,24 +103,19 @@ class Waves:
     HALF_WAVES = (4, 3, 5)
     PHASES = (0.5, 1.7, 2.9)
 
-    def file_stem(self) -> str:
-        """Return a name that holds every parameter, so that a stored volume can be reused."""
-        size = "x".join(str(count) for count in self.dims)
-        return f"waves-{size}-{self.scalar_type}"
-
-    def slices(self) -> Iterator[np.ndarray]:
-        """Yield the slices along z, each [y, x], in the scalar type of the volume."""
+    def fields(self) -> Iterator[np.ndarray]:
+        """Yield the slices along z."""
         x, y, z = (
             np.sin(half_waves * math.pi * np.linspace(0, 1, count) + phase)
             for half_waves, phase, count in zip(self.HALF_WAVES, self.PHASES, self.dims)
         )
         for height in z:
             value = (3 + x[None, :] + y[:, None] + height) / 6
-            yield quantised(value, self.scalar_type)
+            yield value
 
 
 @dataclass(frozen=True)
-class Shell:
+class Shell(GeneratedVolume):
     """A spherical shell that fills a share of its box, or a solid ball where that is half or more.
 
     Five times the share of the box, at most half, lies within its outer radius; of a solid ball,
@@ -143,17 +124,14 @@ class Shell:
     value is 1 - ((r - m) / h)^2 in the wall and 0 elsewhere.
     """
 
+    NAME: ClassVar[str] = "shell"
+
     dims: tuple[int, int, int] = (128, 128, 128)
     scalar_type: str = "uint8"
     share: float = 0.1
 
     OUTER_SHARES = 5  # thinner walls would fall between the voxels
     SOLID_SHARE = 0.5
-
-    def file_stem(self) -> str:
-        """Return a name that holds every parameter, so that a stored volume can be reused."""
-        size = "x".join(str(count) for count in self.dims)
-        return f"shell-{size}-{self.scalar_type}-share{self.share:g}"
 
     def radii(self) -> tuple[float, float]:
         """Return inner and outer radius in half edges of the box; a ball has no inner one."""
@@ -162,8 +140,8 @@ class Shell:
         outer = min(self.OUTER_SHARES * self.share, self.SOLID_SHARE)
         return radius_around(outer - self.share), radius_around(outer)
 
-    def slices(self) -> Iterator[np.ndarray]:
-        """Yield the slices along z, each [y, x], in the scalar type of the volume."""
+    def fields(self) -> Iterator[np.ndarray]:
+        """Yield the slices along z."""
         inner, outer = self.radii()
         middle, half = ((inner + outer) / 2, (outer - inner) / 2)
         if inner == 0:
@@ -172,7 +150,7 @@ class Shell:
         plane = x[None, :] ** 2 + y[:, None] ** 2
         for height in z:
             across = (np.sqrt(plane + height**2) - middle) / half
-            yield quantised(1 - across**2, self.scalar_type)
+            yield 1 - across**2
 
 
 def share_within(radius: float) -> float:
@@ -205,29 +183,61 @@ def radius_around(share: float) -> float:
     return (low + high) / 2
 
 
-GENERATORS: dict[str, type[Lemniscate] | type[Ball] | type[Waves] | type[Shell]] = {
-    "lemniscate": Lemniscate,
-    "ball": Ball,
-    "waves": Waves,
-    "shell": Shell,
+@dataclass(frozen=True)
+class MarschnerLobb(GeneratedVolume):
+    """The test signal of Marschner and Lobb (1994) over [-1, 1]^3.
+
+    (1 - sin(pi z / 2) + 0.25 (1 + cos(12 pi cos(pi r / 2)))) / 2.5, with r the distance from the z
+    axis: at 41 samples along each axis close to what can be sampled at all.
+    """
+
+    NAME: ClassVar[str] = "marschner-lobb"
+
+    dims: tuple[int, int, int] = (41, 41, 41)
+    scalar_type: str = "uint8"
+
+    FREQUENCY = 6
+    DEPTH = 0.25
+
+    def fields(self) -> Iterator[np.ndarray]:
+        """Yield the slices along z."""
+        x, y, z = (np.linspace(-1, 1, count) for count in self.dims)
+        radius = np.sqrt(x[None, :] ** 2 + y[:, None] ** 2)
+        phase = 2 * math.pi * self.FREQUENCY * np.cos(math.pi * radius / 2)
+        rings = self.DEPTH * (1 + np.cos(phase))
+        for height in z:
+            slope = 1 - np.sin(math.pi * height / 2)
+            yield (slope + rings) / (2 * (1 + self.DEPTH))
+
+
+GENERATORS: dict[str, type[GeneratedVolume]] = {
+    kind.NAME: kind
+    for kind in (
+        Lemniscate,
+        Ball,
+        Waves,
+        Shell,
+        MarschnerLobb,
+        Speckle,
+        Vessels,
+        Flower,
+    )
 }
 
 
-def quantised(value: np.ndarray, scalar_type: str) -> np.ndarray:
-    """Return values, cut to [0, 1], over the whole range of a scalar type."""
-    value = np.clip(value, 0, 1)
-    if scalar_type == "float32":
-        return value.astype("<f4")
-    stored = np.dtype(scalar_type).newbyteorder("<")
-    return np.rint(value * np.iinfo(stored).max).astype(stored)
+def write_volume(generator: GeneratedVolume, folder: Path) -> Path:
+    """Write a volume under the name of its parameters, unless it is there; return the header."""
+    return write_volume_as(generator, folder / f"{generator.file_stem()}.mhd")
 
 
-def write_volume(generator: Generator, folder: Path) -> Path:
+def write_volume_as(generator: GeneratedVolume, header: Path) -> Path:
     """Write NAME.raw and NAME.mhd unless both are there; the header comes last."""
-    header = folder / f"{generator.file_stem()}.mhd"
     raw = header.with_suffix(".raw")
-    byte_count = math.prod(generator.dims) * np.dtype(generator.scalar_type).itemsize
-    if header.is_file() and raw.is_file() and raw.stat().st_size == byte_count:
+    if (
+        header.is_file()
+        and raw.is_file()
+        and raw.stat().st_size == byte_count(generator)
+    ):
         return header
     _write_raw(generator, raw)
     lines = [
@@ -236,7 +246,7 @@ def write_volume(generator: Generator, folder: Path) -> Path:
         "BinaryData = True",
         "BinaryDataByteOrderMSB = False",
         "DimSize = " + " ".join(str(count) for count in generator.dims),
-        "ElementSpacing = 1 1 1",
+        "ElementSpacing = " + " ".join(f"{item:g}" for item in generator.spacing),
         f"ElementType = {META_TYPES[generator.scalar_type]}",
         f"ElementDataFile = {raw.name}",
     ]
@@ -244,7 +254,7 @@ def write_volume(generator: Generator, folder: Path) -> Path:
     return header
 
 
-def _write_raw(generator: Generator, raw: Path) -> None:
+def _write_raw(generator: GeneratedVolume, raw: Path) -> None:
     temporary = None
     try:
         raw.parent.mkdir(parents=True, exist_ok=True)

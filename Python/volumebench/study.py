@@ -19,7 +19,7 @@ BLEND_MODES = (COMPOSITE, "Maximum", "Minimum", "Average", "Gradient")
 
 @dataclass(frozen=True)
 class Dataset:
-    """A volume by name; dims, type, extent and share apply to generated volumes only.
+    """A volume by name; dims, type, extent, share, seed and spacing apply to generated ones only.
 
     A generated one bears its generator's name, or names its `generator`. Where no file of a name is
     found, the generated volume `otherwise` takes its place and says in `stands_for` whose place
@@ -32,6 +32,8 @@ class Dataset:
     scalar_type: str | None = None
     extent: float | None = None
     share: float | None = None
+    seed: int | None = None
+    spacing: tuple[float, float, float] | None = None
     generator: str | None = None
     image_sizes: tuple[tuple[int, int], ...] | None = None
     memory_gb: float | None = None

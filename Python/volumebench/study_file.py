@@ -200,7 +200,7 @@ def _dataset(item: dict[str, Any], path: Path) -> Dataset:
             f'{where}: "{extra[0]}" of dataset "{name}" applies only to '
             f'generated volumes: {", ".join(GENERATORS)}'
         )
-    known = GENERATORS[generated].__dataclass_fields__ if extra else ()
+    known = GENERATORS[generated].parameters() if extra else ()
     for key in extra:
         if key not in known:
             raise StudyError(f'{where}: "{key}" does not apply to "{generated}"')

@@ -2,6 +2,7 @@
 
 #include "AllCores.h"
 #include "Lists.h"
+#include "SeededGenerators.h"
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
@@ -16,9 +17,6 @@ namespace volumebench
 {
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
-
-using Dims = std::array<int, 3>;
 /// Value in [0, 1] at grid point (i, j, k).
 using Field = std::function<double(int, int, int)>;
 
@@ -74,6 +72,22 @@ Field Waves(const Dims& dims)
     return (3.0 + wave(i, dims[0], 4.0, 0.5) + wave(j, dims[1], 3.0, 1.7) +
              wave(k, dims[2], 5.0, 2.9)) /
       6.0;
+  };
+}
+
+// The test signal of Marschner and Lobb (1994).
+Field MarschnerLobb(const Dims& dims)
+{
+  constexpr double frequency = 6.0;
+  constexpr double depth = 0.25;
+  const auto place = [](int i, int count) { return 2.0 * i / (count - 1) - 1.0; };
+  return [=](int i, int j, int k)
+  {
+    const double x = place(i, dims[0]);
+    const double y = place(j, dims[1]);
+    const double rings = std::cos(Pi * std::sqrt(x * x + y * y) / 2.0);
+    const double slope = 1.0 - std::sin(Pi * place(k, dims[2]) / 2.0);
+    return (slope + depth * (1.0 + std::cos(2.0 * Pi * frequency * rings))) / (2.0 + 2.0 * depth);
   };
 }
 
@@ -144,31 +158,70 @@ Field Shell(const Dims& dims, double share)
   };
 }
 
-template <typename Scalar>
-void Fill(vtkImageData* image, const Dims& dims, const Field& field)
+SlicePainter PaintPoints(const Dims& dims, Field field)
 {
-  auto* scalars = static_cast<Scalar*>(image->GetScalarPointer());
-  const vtkIdType slice = static_cast<vtkIdType>(dims[0]) * dims[1];
-  const auto fillSlices = [&](vtkIdType begin, vtkIdType end)
+  return [dims, field = std::move(field)](int k, double* values)
   {
-    Scalar* next = scalars + begin * slice;
-    for (int k = static_cast<int>(begin); k < end; ++k)
+    for (int j = 0; j < dims[1]; ++j)
     {
-      for (int j = 0; j < dims[1]; ++j)
+      for (int i = 0; i < dims[0]; ++i)
       {
-        for (int i = 0; i < dims[0]; ++i)
-        {
-          const double value = std::clamp(field(i, j, k), 0.0, 1.0);
-          // nearbyint rounds halves to even, as numpy does.
-          *next++ = std::is_integral_v<Scalar>
-            ? static_cast<Scalar>(
-                std::nearbyint(value * static_cast<double>(std::numeric_limits<Scalar>::max())))
-            : static_cast<Scalar>(value);
-        }
+        *values++ = field(i, j, k);
       }
     }
   };
+}
+
+template <typename Scalar>
+Scalar Quantised(double value)
+{
+  value = std::clamp(value, 0.0, 1.0);
+  // nearbyint rounds halves to even, as numpy does.
+  return std::is_integral_v<Scalar>
+    ? static_cast<Scalar>(
+        std::nearbyint(value * static_cast<double>(std::numeric_limits<Scalar>::max())))
+    : static_cast<Scalar>(value);
+}
+
+template <typename Scalar>
+void Fill(vtkImageData* image, const Dims& dims, const SlicePainter& paint)
+{
+  auto* scalars = static_cast<Scalar*>(image->GetScalarPointer());
+  const vtkIdType count = static_cast<vtkIdType>(dims[0]) * dims[1];
+  const auto fillSlices = [&](vtkIdType begin, vtkIdType end)
+  {
+    std::vector<double> slice(static_cast<std::size_t>(count));
+    for (vtkIdType k = begin; k < end; ++k)
+    {
+      paint(static_cast<int>(k), slice.data());
+      std::transform(slice.begin(), slice.end(), scalars + k * count, Quantised<Scalar>);
+    }
+  };
   ForOnAllCores(0, dims[2], 1, fillSlices);
+}
+
+using PainterMaker = SlicePainter (*)(const Json& dataset, const Dims& dims);
+
+template <Field (*Make)(const Dims&)>
+SlicePainter OfPoints(const Json&, const Dims& dims)
+{
+  return PaintPoints(dims, Make(dims));
+}
+
+template <SlicePainter (*Make)(const Dims&, std::uint64_t)>
+SlicePainter OfSeed(const Json& dataset, const Dims& dims)
+{
+  return Make(dims, dataset.value("seed", std::uint64_t(1)));
+}
+
+SlicePainter OfLemniscate(const Json& dataset, const Dims& dims)
+{
+  return PaintPoints(dims, Lemniscate(dims, dataset.value("extent", 1.7)));
+}
+
+SlicePainter OfShell(const Json& dataset, const Dims& dims)
+{
+  return PaintPoints(dims, Shell(dims, dataset.value("share", 0.1)));
 }
 
 struct GeneratorRow
@@ -177,29 +230,20 @@ struct GeneratorRow
   Dims Size;
   const char* ScalarType;
   const char* OwnKey; // null: none
+  PainterMaker Make;
+  std::array<double, 3> Spacing = { 1.0, 1.0, 1.0 };
 };
 
 const GeneratorRow Rows[] = {
-  { "lemniscate", { 96, 96, 200 }, "uint16", "extent" },
-  { "ball", { 32, 32, 32 }, "uint8", nullptr },
-  { "waves", { 128, 128, 128 }, "uint16", nullptr },
-  { "shell", { 128, 128, 128 }, "uint8", "share" },
+  { "lemniscate", { 96, 96, 200 }, "uint16", "extent", OfLemniscate },
+  { "ball", { 32, 32, 32 }, "uint8", nullptr, OfPoints<Ball> },
+  { "waves", { 128, 128, 128 }, "uint16", nullptr, OfPoints<Waves> },
+  { "shell", { 128, 128, 128 }, "uint8", "share", OfShell },
+  { "marschner-lobb", { 41, 41, 41 }, "uint8", nullptr, OfPoints<MarschnerLobb> },
+  { "speckle", { 512, 378, 222 }, "uint8", "seed", OfSeed<Speckle>, { 0.42, 0.39, 0.63 } },
+  { "vessels", { 128, 128, 256 }, "uint16", "seed", OfSeed<Vessels> },
+  { "flower", { 128, 128, 128 }, "uint8", "seed", OfSeed<Flower> },
 };
-constexpr double DefaultExtent = 1.7;
-constexpr double DefaultShare = 0.1;
-
-Field FieldOf(const std::string& generator, const Json& dataset, const Dims& dims)
-{
-  if (generator == "lemniscate")
-  {
-    return Lemniscate(dims, dataset.value("extent", DefaultExtent));
-  }
-  if (generator == "ball")
-  {
-    return Ball(dims);
-  }
-  return generator == "waves" ? Waves(dims) : Shell(dims, dataset.value("share", DefaultShare));
-}
 
 const GeneratorRow& RowOf(const std::string& name)
 {
@@ -210,13 +254,21 @@ const GeneratorRow& RowOf(const std::string& name)
 
 const std::vector<std::string>& GeneratorNames()
 {
-  static const std::vector<std::string> names = { "lemniscate", "ball", "waves", "shell" };
+  static const std::vector<std::string> names = []
+  {
+    std::vector<std::string> found;
+    for (const GeneratorRow& row : Rows)
+    {
+      found.emplace_back(row.Name);
+    }
+    return found;
+  }();
   return names;
 }
 
 std::vector<std::string> GeneratorKeys(const std::string& generator)
 {
-  std::vector<std::string> keys = { "dims", "scalar_type" };
+  std::vector<std::string> keys = { "dims", "scalar_type", "spacing" };
   if (RowOf(generator).OwnKey)
   {
     keys.emplace_back(RowOf(generator).OwnKey);
@@ -233,27 +285,28 @@ std::string GeneratorOf(const Json& dataset)
 vtkSmartPointer<vtkImageData> Generate(const Json& dataset)
 {
   const std::string name = dataset["name"];
-  const std::string generator = GeneratorOf(dataset);
-  const GeneratorRow& row = RowOf(generator);
+  const GeneratorRow& row = RowOf(GeneratorOf(dataset));
   const Dims dims = dataset.value("dims", row.Size);
   const std::string type = dataset.value("scalar_type", std::string(row.ScalarType));
-  const Field field = FieldOf(generator, dataset, dims);
+  const auto spacing = dataset.value("spacing", row.Spacing);
+  const SlicePainter paint = row.Make(dataset, dims);
   auto image = vtkSmartPointer<vtkImageData>::New();
   image->SetDimensions(dims.data());
+  image->SetSpacing(spacing.data());
   if (type == "uint8")
   {
     image->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
-    Fill<unsigned char>(image, dims, field);
+    Fill<unsigned char>(image, dims, paint);
   }
   else if (type == "uint16")
   {
     image->AllocateScalars(VTK_UNSIGNED_SHORT, 1);
-    Fill<unsigned short>(image, dims, field);
+    Fill<unsigned short>(image, dims, paint);
   }
   else
   {
     image->AllocateScalars(VTK_FLOAT, 1);
-    Fill<float>(image, dims, field);
+    Fill<float>(image, dims, paint);
   }
   image->GetPointData()->GetScalars()->SetName(name.c_str());
   return image;

@@ -13,7 +13,7 @@ class vtkImageData;
 
 namespace volumebench
 {
-/// "lemniscate", "ball", "waves", "shell".
+/// "lemniscate", "ball", ...
 const std::vector<std::string>& GeneratorNames();
 
 /// The keys of a dataset that a generator heeds, such as dims.

@@ -46,8 +46,8 @@ std::string TextOf(const Json& value)
 Json AllKeys(const Json& dataset)
 {
   Json all = Json::object();
-  for (const char* key : { "name", "dims", "scalar_type", "extent", "share", "generator",
-         "image_sizes", "memory_gb", "otherwise", "stands_for" })
+  for (const char* key : { "name", "dims", "scalar_type", "extent", "share", "seed", "spacing",
+         "generator", "image_sizes", "memory_gb", "otherwise", "stands_for" })
   {
     all[key] = dataset.value(key, Json());
   }

@@ -268,7 +268,7 @@ void CheckGenerated(const Json& dataset, const std::string& where)
         generated + "\"; it must be a generated volume: " + Joined(GeneratorNames()));
     }
   }
-  for (const char* key : { "dims", "scalar_type", "extent", "share" })
+  for (const char* key : { "dims", "scalar_type", "extent", "share", "seed", "spacing" })
   {
     if (!dataset.contains(key))
     {
