@@ -11,7 +11,11 @@ from .json_file import check_schema, read_json
 from .study import Dataset, Study
 
 MRI_FILE = Path("/usr/share/mricron/templates/ch2.nii.gz")
-EXTENSIONS = (".nrrd", ".mhd", ".vti", ".nii", ".nii.gz", ".raw")
+# A .raw file may belong to a header, so it comes last.
+EXTENSIONS = (
+    *(".nrrd", ".nhdr", ".mhd", ".mha", ".vti", ".nii", ".nii.gz"),
+    *(".pvm", ".dat", ".raw"),
+)
 SCALAR_BYTES = {
     "int8": 1,
     "uint8": 1,

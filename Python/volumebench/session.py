@@ -4,6 +4,7 @@ import os
 import platform
 from collections.abc import Callable
 from datetime import datetime, timezone
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -22,7 +23,8 @@ from .study import Run, Scene, Study
 from .techniques import TECHNIQUES
 from .transfer_functions import TransferFunction
 from .view_measure import Contestant, Pictures, measure_view
-from .volume_io import OpenVolume, bytes_of, copy_of, open_volume
+from .volume_io import PLUGIN_FORMATS, OpenVolume, PluginReaders
+from .volume_io import bytes_of, copy_of, open_volume
 
 PLUGIN_VARIABLE = "VOLUMEBENCH_PLUGIN"
 PLUGIN_NAME = "VolumeBench"
@@ -84,7 +86,7 @@ class Session:
 
     def open_volume(self, file: VolumeFile) -> OpenVolume:
         """Read a volume into memory."""
-        return open_volume(file)
+        return open_volume(file, plugin_readers())
 
     def run_engine(
         self,
@@ -134,6 +136,28 @@ class Session:
             StartRow(*volume_facts, **values, volume_bytes=bytes_of(volume))
             for values in measure_start(open_stage, function, self._study, report)
         ]
+
+
+class _ProxyReader:
+    """A reader of the plugin, whose own methods ParaView's Python does not know."""
+
+    def __init__(self, name: str) -> None:
+        self._proxy = getattr(servermanager.sources, name)()
+        self._reader = self._proxy.GetClientSideObject()
+
+    def SetFileName(self, path: str) -> None:
+        self._proxy.FileName = path
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self._reader, name)
+
+
+def plugin_readers() -> PluginReaders:
+    """Return what makes the plugin's readers, by extension; the plugin must be loaded."""
+    return {
+        extension: partial(_ProxyReader, name)
+        for extension, name in PLUGIN_FORMATS.items()
+    }
 
 
 def _probe(opencl_is_used: bool) -> tuple[Any, list[str], str | None]:

@@ -1,9 +1,12 @@
 """Reads volume files into VTK image data; needs VTK, but nothing of ParaView."""
 
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 from vtkmodules.util import numpy_support
+from vtkmodules.util.vtkConstants import VTK_STRING
 from vtkmodules.vtkCommonCore import vtkLogger
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkIOImage import (
@@ -20,11 +23,15 @@ from .orbit import Bounds
 
 _READERS = {
     ".nrrd": vtkNrrdReader,
+    ".nhdr": vtkNrrdReader,
     ".mhd": vtkMetaImageReader,
+    ".mha": vtkMetaImageReader,
     ".vti": vtkXMLImageDataReader,
     ".nii": vtkNIFTIImageReader,
     ".gz": vtkNIFTIImageReader,
 }
+PLUGIN_FORMATS = {".pvm": "PVMReader", ".dat": "VoreenReader"}  # by proxy
+PluginReaders = Mapping[str, Callable[[], Any]]  # what makes a reader, by extension
 
 
 @dataclass(frozen=True)
@@ -41,9 +48,14 @@ class OpenVolume:
     range: tuple[float, float]
 
 
-def open_volume(file: VolumeFile) -> OpenVolume:
-    """Read a volume; anything that is no 3-D scalar image is an error that names the file."""
-    image = _read(file)
+def open_volume(
+    file: VolumeFile, plugin_readers: PluginReaders | None = None
+) -> OpenVolume:
+    """Read a volume; anything that is no 3-D scalar image is an error that names the file.
+
+    Formats that VTK lacks need the readers of the plugin, by extension.
+    """
+    image = _read(file, plugin_readers or {})
     if file.upright:
         image = upright(image)
     data = image.GetPointData()
@@ -89,25 +101,48 @@ def bytes_of(volume: OpenVolume) -> int:
     return voxels.GetNumberOfValues() * voxels.GetDataTypeSize()
 
 
-def _read(file: VolumeFile) -> vtkImageData:
+def _read(file: VolumeFile, plugin_readers: PluginReaders) -> vtkImageData:
+    if file.path.suffix in PLUGIN_FORMATS:
+        return _read_by_plugin(file, plugin_readers)
     reader = _raw_reader(file.raw) if file.raw else _READERS[file.path.suffix]()
-    faults: list[str] = []
-    reader.AddObserver("ErrorEvent", lambda *_: faults.append("the reader failed"))
     if not file.raw and hasattr(reader, "CanReadFile"):
         if not reader.CanReadFile(str(file.path)):
             raise BenchError(f"{file.path}: cannot be read as {_kind(file)}")
-    reader.SetFileName(str(file.path))
+    image, faults = _updated(reader, file)
+    if faults or not image.GetNumberOfPoints():
+        raise BenchError(f"{file.path}: cannot be read as {_kind(file)}")
+    return image
+
+
+def _read_by_plugin(file: VolumeFile, plugin_readers: PluginReaders) -> vtkImageData:
+    """Read by a reader whose errors name the file and its fault themselves."""
+    if file.path.suffix not in plugin_readers:
+        raise BenchError(f"{file.path}: {file.path.suffix} files need the plugin")
+    image, faults = _updated(plugin_readers[file.path.suffix](), file)
+    if faults:
+        raise BenchError(faults[0].rpartition("): ")[2])
+    return image
+
+
+def _updated(reader: Any, file: VolumeFile) -> tuple[vtkImageData, list[str]]:
+    """Return what a reader gives and the errors that it reports, which are not printed."""
+    faults: list[str] = []
+
+    def keep(_caller: Any, _event: str, message: str = "") -> None:
+        faults.append(message)
+
+    keep.CallDataType = VTK_STRING
+    reader.AddObserver("ErrorEvent", keep)
     verbosity = vtkLogger.GetCurrentVerbosityCutoff()
     vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)
     try:
+        reader.SetFileName(str(file.path))
         reader.Update()
     finally:
         vtkLogger.SetStderrVerbosity(verbosity)
     image = vtkImageData()
-    image.ShallowCopy(reader.GetOutput())
-    if faults or not image.GetNumberOfPoints():
-        raise BenchError(f"{file.path}: cannot be read as {_kind(file)}")
-    return image
+    image.ShallowCopy(reader.GetOutputDataObject(0))
+    return image, faults
 
 
 def _kind(file: VolumeFile) -> str:

@@ -1,5 +1,6 @@
 """File > Open for the formats that ParaView lacks: PVM and Voreen volumes, as a user opens them."""
 
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -16,6 +17,14 @@ from support import (
     show,
     temporary_folder,
 )
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "Python"))
+
+from volumebench.datasets import find_volume  # noqa: E402
+from volumebench.errors import BenchError  # noqa: E402
+from volumebench.session import plugin_readers  # noqa: E402
+from volumebench.study import Dataset  # noqa: E402
+from volumebench.volume_io import open_volume  # noqa: E402
 
 
 def pvm_bytes(values: np.ndarray) -> bytes:
@@ -119,6 +128,27 @@ def check_a_broken_file_is_one_error() -> None:
         assert len(ERRORS.take()) == 1
         source.FileName = str(folder / "b.pvm")
         expect_volume(source, hill())
+
+
+def check_studies_read_them_by_name() -> None:
+    with temporary_folder() as folder:
+        (folder / "first.pvm").write_bytes(pvm_bytes(hill()))
+        write_voreen(folder / "second.dat", hill())
+        for name in ("first", "second"):
+            file = find_volume(Dataset(name), folder, folder)
+            volume = open_volume(file, plugin_readers())
+            assert volume.dims == (20, 20, 15) and volume.scalar_type == "uint16"
+            assert volume.range == (hill().min(), hill().max())
+            assert volume.spacing == (1, 1, 2)
+        (folder / "second.raw").write_bytes(b"short")
+        try:
+            open_volume(
+                find_volume(Dataset("second"), folder, folder), plugin_readers()
+            )
+        except BenchError as fault:
+            assert str(fault).startswith(f"{folder / 'second.dat'}: its voxels"), fault
+        else:
+            raise AssertionError("a short file was read")
 
 
 run_checks(globals())

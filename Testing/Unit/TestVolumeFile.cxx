@@ -180,8 +180,46 @@ TEST_F(VolumeFile, HeadersAreRead)
   EXPECT_EQ(ReadVolume({ { "name", "grid" } }, this->Folder.GetPath()).Range[1], 7.5);
 }
 
+TEST_F(VolumeFile, CompressedVoxelsAreRead)
+{
+  using namespace std::string_literals;
+  // 63 zeros and a nine.
+  const std::string gzipped =
+    "\x1f\x8b\x08\x00\x00\x00\x00\x00\x02\x03\x63\x60\xa0\x08\x70\x02\x00\x92\xdb\x51\x0c\x40\x00\x00\x00"s;
+  const std::string deflated = "\x78\xda\x63\x60\xa0\x08\x70\x02\x00\x00\x49\x00\x0a"s;
+  this->Folder.Write("slab.nrrd",
+    "NRRD0004\ntype: uint8\ndimension: 3\nsizes: 16 2 2\nencoding: gzip\n\n" + gzipped);
+  this->Folder.Write("cube.mhd",
+    "ObjectType = Image\nNDims = 3\nBinaryData = True\nCompressedData = True\nDimSize = 16 2 2\n"
+    "ElementType = MET_UCHAR\nElementDataFile = cube.zraw\n");
+  this->Folder.Write("cube.zraw", deflated);
+  for (const char* name : { "slab", "cube" })
+  {
+    const OpenVolume volume = ReadVolume({ { "name", name } }, this->Folder.GetPath());
+    EXPECT_EQ(volume.Dims, (std::array<int, 3>{ 16, 2, 2 })) << name;
+    EXPECT_EQ(volume.Image->GetScalarComponentAsDouble(15, 1, 1, 0), 9.0) << name;
+    EXPECT_EQ(volume.Range[0], 0.0);
+  }
+}
+
+TEST_F(VolumeFile, PvmAndVoreenVolumesAreRead)
+{
+  this->Folder.Write("one.pvm", "PVM2\n2 2 2\n1 2 3\n1\nabcdefgh");
+  const OpenVolume one = ReadVolume({ { "name", "one" } }, this->Folder.GetPath());
+  EXPECT_EQ(one.Range[1], 'h');
+  EXPECT_EQ(one.MeanSpacing, 2.0);
+  this->Folder.Write("two.dat", "ObjectFileName: two.raw\nResolution: 2 2 2\nFormat: UCHAR\n");
+  this->Folder.Write("two.raw", "abcdefgi"); // has no .json of its own, and needs none
+  CheckVolume({ { "name", "two" } }, this->Folder.GetPath());
+  EXPECT_EQ(ReadVolume({ { "name", "two" } }, this->Folder.GetPath()).Range[1], 'i');
+}
+
 TEST_F(VolumeFile, FaultsNameTheFile)
 {
+  this->Folder.Write("few.pvm", "PVM\n2 2 2\n1\nabc");
+  this->ExpectFault("few", "few.pvm: has 3 bytes of voxels");
+  this->Folder.Write("lone.dat", "ObjectFileName: none.raw\nResolution: 2 2 2\nFormat: UCHAR\n");
+  this->ExpectFault("lone", "none.raw: cannot be opened");
   this->ExpectFault("nowhere", "dataset \"nowhere\": no file");
   this->Folder.Write("short.raw", "12345");
   this->ExpectFault("short", "short.json is missing");

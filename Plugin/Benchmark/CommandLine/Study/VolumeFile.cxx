@@ -14,6 +14,8 @@
 #include "vtkNew.h"
 #include "vtkNrrdReader.h"
 #include "vtkPointData.h"
+#include "vtkVolumeBenchPvmReader.h"
+#include "vtkVolumeBenchVoreenReader.h"
 #include "vtkXMLImageDataReader.h"
 
 #include <algorithm>
@@ -26,7 +28,9 @@ namespace
 {
 namespace fs = std::filesystem;
 
-const char* const Extensions[] = { ".nrrd", ".mhd", ".vti", ".nii", ".nii.gz", ".raw" };
+// A .raw file may belong to a header, so it comes last.
+const char* const Extensions[] = { ".nrrd", ".nhdr", ".mhd", ".mha", ".vti", ".nii", ".nii.gz",
+  ".pvm", ".dat", ".raw" };
 const char* const MriFile = "/usr/share/mricron/templates/ch2.nii.gz";
 
 struct ScalarKind
@@ -87,6 +91,18 @@ bool ReadIfPossible(const fs::path& path, vtkImageData* image)
   return reader->CanReadFile(path.c_str()) && Read(reader.Get(), path, image);
 }
 
+// Reads by a reader of ours, whose faults name the file.
+template <typename Reader>
+bool ReadByOwn(const fs::path& path, vtkImageData* image)
+{
+  vtkNew<Reader> reader;
+  if (!Read(reader.Get(), path, image))
+  {
+    throw std::runtime_error(reader->GetFault());
+  }
+  return true;
+}
+
 Json RawLayout(const fs::path& path)
 {
   fs::path sidecar = path;
@@ -144,11 +160,19 @@ bool ReadAny(const fs::path& path, vtkImageData* image)
   {
     return ReadRaw(path, image);
   }
-  if (extension == ".nrrd")
+  if (extension == ".pvm")
+  {
+    return ReadByOwn<vtkVolumeBenchPvmReader>(path, image);
+  }
+  if (extension == ".dat")
+  {
+    return ReadByOwn<vtkVolumeBenchVoreenReader>(path, image);
+  }
+  if (extension == ".nrrd" || extension == ".nhdr")
   {
     return ReadIfPossible<vtkNrrdReader>(path, image);
   }
-  if (extension == ".mhd")
+  if (extension == ".mhd" || extension == ".mha")
   {
     return ReadIfPossible<vtkMetaImageReader>(path, image);
   }
@@ -302,10 +326,15 @@ void CheckVolume(const Json& dataset, const fs::path& folder)
   {
     return;
   }
+  std::string names;
+  for (const char* extension : Extensions)
+  {
+    names += (names.empty() ? "" : ", ") + std::string(extension + 1);
+  }
   const std::string looked =
     folder.empty() ? "nowhere: no --data folder is given" : "in " + folder.string();
-  throw std::runtime_error("dataset \"" + name +
-    "\": no file of that name (nrrd, mhd, vti, nii, nii.gz, raw); looked " + looked +
+  throw std::runtime_error("dataset \"" + name + "\": no file of that name (" + names +
+    "); looked " + looked +
     (name == "mri" ? std::string("; nor is there ") + MriFile + " of the package mricron-data"
                    : "; generated: " + Joined(GeneratorNames())));
 }

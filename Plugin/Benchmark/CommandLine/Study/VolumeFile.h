@@ -26,7 +26,8 @@ struct OpenVolume
   double MeanEdge = 0.0; // of the box
 };
 
-/// The file NAME.nrrd, .mhd, .vti, .nii, .nii.gz or .raw in a folder; empty when there is none.
+/// The file NAME.nrrd, .nhdr, .mhd, .mha, .vti, .nii, .nii.gz, .pvm, .dat or .raw in a folder, the
+/// first of them; empty when there is none.
 std::filesystem::path FindVolumeFile(const std::string& name, const std::filesystem::path& folder);
 
 /// Throws std::runtime_error, `where` in front, when a dataset has keys that only a generated
