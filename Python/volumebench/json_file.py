@@ -22,13 +22,15 @@ def read_json(path: Path) -> Any:
         keys = [key for key, _ in pairs]
         for key in keys:
             if keys.count(key) > 1:
-                raise StudyError(f'{path}: key "{key}" appears twice in one object')
+                raise StudyError(
+                    f'{path}: key "{key[:40]}" appears twice in one object'
+                )
         return dict(pairs)
 
     def number(token: str) -> float:
         value = float(token)
         if not math.isfinite(value):
-            raise StudyError(f"{path}: {token} is not a finite number")
+            raise StudyError(f"{path}: {token[:40]} is not a finite number")
         return value
 
     try:
@@ -38,6 +40,8 @@ def read_json(path: Path) -> Any:
     except json.JSONDecodeError as fault:
         place = f"line {fault.lineno}, column {fault.colno}"
         raise StudyError(f"{path}: {place}: not valid JSON: {fault.msg}") from None
+    except ValueError as fault:  # a whole number of thousands of digits
+        raise StudyError(f"{path}: not valid JSON: {fault}") from None
     except RecursionError:
         raise StudyError(f"{path}: nested too deeply to be read") from None
 

@@ -11,6 +11,7 @@ from paraview import servermanager, simple
 from .error import ImageError
 from .errors import BenchError
 from .orbit import Bounds, CameraPose
+from .paraview_functions import set_function
 from .session_error import Pair, compare_pictures
 from .session_support import ErrorLog, producer_of
 from .study import COMPOSITE, Scene, Study
@@ -94,7 +95,8 @@ class ViewStage:
     def set_function(self, function: TransferFunction) -> None:
         """Give what is shown another transfer function."""
         self._function = function.in_values(*self._volume.range)
-        self._set_functions(self._displays[self._shown])
+        display = self._displays[self._shown]
+        set_function(display, self._volume.array, self._function)
 
     def place(self, pose: CameraPose) -> None:
         """Set the camera of the next picture."""
@@ -199,7 +201,7 @@ class ViewStage:
         display.ScalarOpacityUnitDistance = self._function.unit_distance(
             self._volume.spacing, self._volume.dims
         )
-        self._set_functions(display)
+        set_function(display, self._volume.array, self._function)
         self._set_scene(display, technique)
 
     def _set_scene(self, display: Any, technique: str) -> None:
@@ -215,20 +217,6 @@ class ViewStage:
             raise Unsupported(f"{title} offers no blend mode {blend_mode}")
         else:
             display.BlendMode = blend_mode
-
-    def _set_functions(self, display: Any) -> None:
-        """Give the shared colour map and opacity function of the array their points."""
-        colors = simple.GetColorTransferFunction(self._volume.array)
-        colors.AutomaticRescaleRangeMode = "Never"
-        colors.ColorSpace = "RGB"
-        colors.UseLogScale = 0
-        colors.RGBPoints = [value for point in self._function.color for value in point]
-        opacity = simple.GetOpacityTransferFunction(self._volume.array)
-        opacity.Points = [
-            value for x, alpha in self._function.opacity for value in (x, alpha, 0.5, 0)
-        ]
-        display.LookupTable = colors
-        display.ScalarOpacityFunction = opacity
 
 
 def _set(display: Any, name: str, value: Any) -> None:

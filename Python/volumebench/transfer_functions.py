@@ -1,10 +1,14 @@
-"""Transfer functions from JSON files: opacity per unit distance and colour over scalar values."""
+"""Transfer functions in JSON files: opacity per unit distance and colour over scalar values.
 
+`voreen_functions` and `paraview_presets` read and write other programs' files.
+"""
+
+import json
 from dataclasses import dataclass, replace
 from pathlib import Path
 
 from .errors import StudyError
-from .json_file import check_schema, read_json
+from .json_file import check_schema, read_json, write_atomically
 
 TRANSFER_FUNCTION_FOLDER = (
     Path(__file__).resolve().parents[2] / "Data" / "TransferFunctions"
@@ -86,6 +90,26 @@ def load_transfer_function(path: Path) -> TransferFunction:
         tuple(tuple(float(value) for value in point) for point in document["color"]),
         *(None if value is None else float(value) for value in units),
     )
+
+
+def save_transfer_function(function: TransferFunction, path: Path) -> None:
+    """Write one file, which `load_transfer_function` reads as the same function."""
+    document = {
+        "schema": 1,
+        "name": function.name,
+        "description": function.description,
+        "domain": function.domain,
+        "opacity": function.opacity,
+        "color": function.color,
+        "unit_distance_voxels": function.unit_distance_voxels,
+        "unit_distance_edges": function.unit_distance_edges,
+    }
+    lines = [
+        f"  {json.dumps(key)}: {json.dumps(value)}"
+        for key, value in document.items()
+        if value is not None
+    ]
+    write_atomically(path, "{\n" + ",\n".join(lines) + "\n}\n")
 
 
 def _check_ascending(
