@@ -2,6 +2,7 @@
 
 import sys
 import tempfile
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -9,7 +10,8 @@ from paraview import servermanager, simple
 
 from .errors import BenchError
 from .json_file import read_json
-from .paraview_presets import preset_of, read_presets, write_presets
+from .paraview_presets import function_of_preset, preset_of
+from .paraview_presets import read_presets, write_presets
 from .transfer_functions import TransferFunction, load_transfer_function
 from .transfer_functions import save_transfer_function
 from .voreen_functions import read_tfi, write_tfi
@@ -36,15 +38,22 @@ def get_function(
     array: str, name: str, unit_distance_voxels: float
 ) -> TransferFunction:
     """Return what the colour map and the opacity function of an array show, over values."""
-    colors = list(simple.GetColorTransferFunction(array).RGBPoints)
+    colors = simple.GetColorTransferFunction(array)
+    if colors.UseLogScale:
+        raise BenchError(f"{array}: a logarithmic colour map cannot be written")
+    rgb_points = list(colors.RGBPoints)
     points = list(simple.GetOpacityTransferFunction(array).Points)
-    return TransferFunction(
-        name,
-        "",
-        "value",
-        tuple(tuple(points[i : i + 2]) for i in range(0, len(points), 4)),
-        tuple(tuple(colors[i : i + 4]) for i in range(0, len(colors), 4)),
-        unit_distance_voxels,
+    shown = {
+        "Name": name,
+        "ColorSpace": colors.GetProperty("ColorSpace").GetData(),
+        "RGBPoints": rgb_points,
+        "Points": points,
+    }
+    function = function_of_preset(shown, "colour map", Path(array))
+    places = [*rgb_points[::4], *points[::4]]
+    return replace(
+        function.in_values(min(places), max(places)),
+        unit_distance_voxels=unit_distance_voxels,
     )
 
 
@@ -66,7 +75,7 @@ def load_for_active_volume(path: Path, preset: str | None = None) -> str:
 def save_of_active_volume(path: Path) -> str:
     """Write what the active source is shown through; return what was done.
 
-    `.tfi` is Voreen's (its intensities are shares of the highest value of the array),
+    `.tfi` is Voreen's (its domain is a share of the largest magnitude in the array),
     `.preset.json` ParaView's, any other `.json` our own; only that tells the unit distance.
     """
     display, array, source = _active()
@@ -74,7 +83,8 @@ def save_of_active_volume(path: Path) -> str:
     distance = display.ScalarOpacityUnitDistance / mean_spacing
     function = get_function(array, path.name.split(".")[0], distance)
     if path.suffix == ".tfi":
-        write_tfi(function, path, source.PointData[array].GetRange(0)[1])
+        largest = max(abs(value) for value in source.PointData[array].GetRange(0))
+        write_tfi(function, path, largest or 1.0)
     elif path.name.endswith(".preset.json"):
         write_presets([function], path)
     elif path.suffix == ".json":
@@ -87,24 +97,26 @@ def save_of_active_volume(path: Path) -> str:
 def import_presets(folder: Path) -> list[str]:
     """Make each .tfi and .json file of a folder a preset of ParaView; return their names.
 
-    A preset that was imported before is replaced. Files that cannot be read are named on stderr.
+    A preset that was imported before is replaced; of several functions of one name the first file's is
+    taken. Files that cannot be read are named on stderr.
     """
     folder.mkdir(parents=True, exist_ok=True)
-    functions = []
+    functions: dict[str, TransferFunction] = {}
     for path in sorted([*folder.glob("*.tfi"), *folder.glob("*.json")]):
         try:
-            functions.extend(read_functions(path))
+            for function in read_functions(path):
+                functions.setdefault(function.name, function)
         except BenchError as fault:
             print(f"error: {fault}", file=sys.stderr)
     presets = servermanager.vtkSMTransferFunctionPresets.GetInstance()
-    names = [function.name for function in functions]
+    names = list(functions)
     for index in reversed(range(presets.GetNumberOfPresets())):
         if presets.GetPresetName(index) in names and not presets.IsPresetBuiltin(index):
             presets.RemovePreset(index)
     if functions:
         with tempfile.TemporaryDirectory() as temporary:
             path = Path(temporary) / "presets.json"
-            write_presets(functions, path)
+            write_presets(list(functions.values()), path)
             simple.ImportPresets(str(path))
     print(f"{len(names)} presets from {folder}: {', '.join(names) or 'none'}")
     return names

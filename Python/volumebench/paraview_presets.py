@@ -36,7 +36,9 @@ def read_presets(path: Path) -> list[TransferFunction]:
     items = document if isinstance(document, list) else [document]
     if not items:
         raise StudyError(f"{path}: holds no preset")
-    return [_function(item, f"preset {i}", path) for i, item in enumerate(items, 1)]
+    return [
+        function_of_preset(item, f"preset {i}", path) for i, item in enumerate(items, 1)
+    ]
 
 
 def read_preset(path: Path, name: str | None = None) -> TransferFunction:
@@ -72,7 +74,8 @@ def write_presets(functions: list[TransferFunction], path: Path) -> None:
     write_atomically(path, json.dumps(items, indent=1) + "\n")
 
 
-def _function(item: Any, where: str, path: Path) -> TransferFunction:
+def function_of_preset(item: Any, where: str, path: Path) -> TransferFunction:
+    """Return a preset over x from 0 to 1; `path` and `where` are named in errors."""
     if not isinstance(item, dict):
         raise StudyError(f"{path}: {where} is no object")
     name = item.get("Name")
@@ -149,7 +152,7 @@ def _with_jumps(points: tuple[Point, ...]) -> tuple[Point, ...]:
 def _sampled_color(
     color: tuple[Point, ...], space: Any, where: str, path: Path
 ) -> tuple[Point, ...]:
-    if space not in _SETTERS:
+    if not isinstance(space, str) or space not in _SETTERS:
         known = ", ".join(["RGB", *_SETTERS])
         raise StudyError(
             f"{path}: {where}: ColorSpace {str(space)[:40]!r} cannot be read; known are {known}"

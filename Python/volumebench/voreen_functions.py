@@ -71,6 +71,8 @@ def write_tfi(
                 f"{path}: {function.name} is over scalar values, and nothing says which of them "
                 "stands for 1"
             )
+        if not 0 < full_scale < math.inf:
+            raise StudyError(f"{path}: the full scale {full_scale:g} is not above 0")
         places = [point[0] for point in (*opacity, *color)]
         low, high = min(places), max(places)
         opacity, color = rescaled(opacity, low, high), rescaled(color, low, high)

@@ -25,6 +25,7 @@ from volumebench.control_points import value_at  # noqa: E402
 from volumebench.errors import BenchError  # noqa: E402
 from volumebench.macros import write_macros  # noqa: E402
 from volumebench.paraview_functions import get_function  # noqa: E402
+from volumebench.paraview_functions import import_presets  # noqa: E402
 from volumebench.paraview_functions import load_for_active_volume  # noqa: E402
 from volumebench.transfer_functions import load_transfer_function  # noqa: E402
 from volumebench.voreen_functions import read_tfi  # noqa: E402
@@ -100,6 +101,8 @@ def check_macros_exchange_functions() -> None:
         names = sorted(path.name for path in functions.iterdir())
         written = ["RTData.json", "RTData.preset.json", "RTData.tfi"]
         assert names == [*written, "broken.tfi", "green.tfi"], names
+        assert import_presets(functions) == ["RTData", "green"], "each name once"
+        assert len(ERRORS.take()) > 0
         first = load_transfer_function(functions / "RTData.json")
         assert first.domain == "value"
         again = read_tfi(functions / "RTData.tfi", high)
@@ -108,6 +111,29 @@ def check_macros_exchange_functions() -> None:
             assert abs(ours[0] - theirs[0]) < 0.6 / 255, (ours, theirs)
         load_for_active_volume(functions / "RTData.json")
         check_close(capture(view), picture, 1e-3, "our own file")
+
+
+def check_colors_are_exported_as_they_are_shown() -> None:
+    """ParaView's own colour map is no straight line in RGB."""
+    _, display, (low, high) = shown_wavelet()
+    colors = simple.GetColorTransferFunction("RTData")
+    assert colors.ColorSpace == "Diverging", colors.ColorSpace
+    found = get_function("RTData", "shown", 1).color
+    colors.Discretize = 0
+    table = colors.GetClientSideObject()
+    for share in (0.1, 0.25, 0.75, 0.95):
+        x = low + share * (high - low)
+        expected = [0.0, 0.0, 0.0]
+        table.GetColor(x, expected)
+        for ours, theirs in zip(value_at(found, x), expected):
+            assert abs(ours - theirs) < 2e-3, (share, value_at(found, x), expected)
+    colors.UseLogScale = 1
+    try:
+        get_function("RTData", "shown", 1)
+    except BenchError as fault:
+        assert "logarithmic" in str(fault)
+    else:
+        raise AssertionError("a logarithmic colour map was taken for a plain one")
 
 
 def check_without_a_volume_one_line_tells_what_to_do() -> None:

@@ -305,6 +305,7 @@ def test_presets_of_paraview_survive(tmp_path):
         (preset(RGBPoints=[1, 0, 0, 0, 1, 0, 0, 1], Points=None), "have one x"),
         (preset(Points=[0, 0, 2, 0, 1, 1, 0.5, 0]), "Points: 2 is not from 0 to 1"),
         (preset(ColorSpace="Step"), "ColorSpace 'Step' cannot be read"),
+        (preset(ColorSpace=["RGB"]), "cannot be read; known are RGB"),
         ('{"Name": "a", "Name": "b"}', 'key "Name" appears twice'),
         ("1" * 5000, "not valid JSON"),
     ],
