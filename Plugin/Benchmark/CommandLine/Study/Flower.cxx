@@ -9,6 +9,7 @@ namespace
 {
 constexpr double Bottom = -0.35;
 constexpr double GoldenAngle = 2.399963229728653;
+constexpr double Reach = 4.0; // of a petal, in thicknesses
 constexpr int WhorlCount = 5;
 
 struct Whorl
@@ -101,8 +102,12 @@ SlicePainter Flower(const Dims& dims, std::uint64_t seed)
         double value = OvaryAndStem(Place(dims, 0, i), Place(dims, 1, j), z, half);
         for (const Petals& petals : whorls)
         {
-          const double across = (z - Bottom - petals.Rise[point]) / thickness;
-          value = std::max(value, petals.Values[point] * std::exp(-across * across));
+          const double above = z - Bottom - petals.Rise[point];
+          if (std::abs(above) < Reach * thickness)
+          {
+            const double across = above / thickness;
+            value = std::max(value, petals.Values[point] * std::exp(-across * across));
+          }
         }
         values[point] = value;
       }
