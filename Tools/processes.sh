@@ -21,7 +21,7 @@ guard() {
 end_process() {
   local _
   kill -TERM -- "$1" 2>/dev/null || return 0
-  for _ in {1..50}; do
+  for _ in {1..600}; do # a study still writes its report
     kill -0 -- "$1" 2>/dev/null || return 0
     sleep 0.1
   done

@@ -1,41 +1,39 @@
 #include "Experiment.h"
 
 #include "Contestant.h"
-#include "FloatRendering.h"
-#include "JsonText.h"
+#include "ErrorMeasure.h"
+#include "ExperimentNotes.h"
 #include "Names.h"
 #include "Run.h"
 #include "RunPlan.h"
 #include "Stage.h"
 #include "StageMedians.h"
-#include "VtkSampleCounter.h"
 #include "vtkVolumeBenchMapper.h"
 
 #include "vtkImageData.h"
 
 #include <algorithm>
+#include <chrono>
 #include <random>
+#include <thread>
 
 namespace volumebench
 {
 namespace
 {
-constexpr int FramesPerBlock = 3;      // short, so that slow runs are interleaved too
-constexpr unsigned Seed = 20260101;    // fixed: the order of runs is part of the method
-constexpr int ReferenceShrink = 8;     // the reference is checked on a picture this much smaller
-constexpr int LargestCheckedSide = 12; // and its longer side no longer than this: pixels
-constexpr int StageFrames = 5;         // drawn after the timed ones, to split a frame into stages
-constexpr int FineSteps = 1;           // of ReferenceNames
-constexpr const char* ReferencePicture = "reference.rgba32f";
+constexpr int FramesPerBlock = 3;   // short, so that slow runs are interleaved too
+constexpr unsigned Seed = 20260101; // fixed: the order of runs is part of the method
+constexpr int StageFrames = 5;      // drawn after the timed ones, to split a frame into stages
 
 class Laboratory
 {
 public:
   Laboratory(const ExperimentSettings& settings, const ContestantInput& input,
-    const ExperimentProgress& progress)
+    const ExperimentProgress& progress, const ExperimentListener& listener)
     : Settings(settings)
     , Input(input)
     , Report(progress)
+    , Tell(listener)
     , Scene(settings.Width, settings.Height)
   {
     this->Settings.Stop.FramesPerBlock =
@@ -51,20 +49,23 @@ public:
 
   std::vector<RunResult> Measure()
   {
-    this->Scene.Resize(this->ErrorWidth(), this->ErrorHeight());
-    this->TakePictures();
-    this->MeasureReference();
+    const std::function<bool()> proceed = [this] { return this->Continue(); };
+    ErrorMeasure(this->Scene, this->Settings, this->Input, proceed, this->Tell).Measure(this->Runs);
     this->Scene.Resize(this->Settings.Width, this->Settings.Height);
     this->MeasureTimes();
     for (Run& run : this->Runs)
     {
       if (this->Continue() && run.Result.Status == "ok")
       {
-        run.Apply(this->Scene, this->Settings);
-        this->MeasureStages(run);
-        this->CountSamples(run);
+        this->MeasureWork(run);
       }
     }
+    return this->Results();
+  }
+
+private:
+  std::vector<RunResult> Results()
+  {
     std::vector<RunResult> results;
     for (Run& run : this->Runs)
     {
@@ -78,7 +79,18 @@ public:
     return results;
   }
 
-private:
+  // What takes frames of its own: the stages of a frame, and its samples.
+  void MeasureWork(Run& run)
+  {
+    this->Tell(BeginNote(run.Variant, "stages"));
+    run.Apply(this->Scene, this->Settings);
+    this->MeasureStages(run);
+    this->CountSamples(run);
+    run.Describe();
+    run.Summarise();
+    this->Tell(RowNote("done", run.Variant, run.Result, this->Settings));
+  }
+
   void AddRuns(Contestant& who)
   {
     const std::string& id = who.GetId();
@@ -94,7 +106,9 @@ private:
   {
     const int integrator = planned.Integrator;
     Run run{ &who, integrator, WithValues(this->Settings.Own, planned.Values), {},
-      StopRule(this->Settings.Stop), {}, {} };
+      StopRule(this->Settings.Stop) };
+    run.Variant = planned.Variant;
+    run.HasError = planned.Earlier.HasError;
     run.Result.Technique = who.GetId();
     run.Result.Integrator = integrator < 0 ? "" : IntegratorNames().NameOf(integrator);
     run.Result.BlendMode = BlendModeNames().NameOf(this->Input.BlendMode);
@@ -105,14 +119,12 @@ private:
       run.Result.Status = "unsupported";
       run.Result.Reason = who.GetUnsupported();
     }
+    for (std::size_t i = 0; i < planned.Earlier.FramesMs.size(); ++i)
+    {
+      const int frame = this->NextFrames(run).front();
+      run.AddFrame(frame, planned.Earlier.FramesMs[i], planned.Earlier.GpuMs[i]);
+    }
     this->Runs.push_back(std::move(run));
-  }
-
-  int ErrorFrame(int view) const
-  {
-    // An eighth of a view's share past the axes, where grids and silhouettes look their best.
-    const int views = std::max(1, this->Settings.ErrorViews);
-    return (8 * view + 1) * this->Settings.Orbit.FramesPerTurn / (8 * views);
   }
 
   void PlaceFrame(int frame)
@@ -129,125 +141,6 @@ private:
     }
     this->Aborted = this->Aborted || !this->Report(done / static_cast<double>(this->Runs.size()));
     return !this->Aborted;
-  }
-
-  void TakePictures()
-  {
-    for (Run& run : this->Runs)
-    {
-      for (int view = 0; view < this->Settings.ErrorViews; ++view)
-      {
-        if (!this->Continue() || run.Result.Status != "ok")
-        {
-          break;
-        }
-        run.Apply(this->Scene, this->Settings);
-        this->PlaceFrame(this->ErrorFrame(view));
-        run.Pictures.push_back(this->Scene.Picture());
-        run.HasFailed();
-      }
-    }
-  }
-
-  // The reference is the cell-exact one, or our own Midpoint at a very small step. How far it may
-  // still be from the truth is told on a smaller picture of the first view: by an independent
-  // renderer that extrapolates from three step sizes, or by half the small step.
-  void MeasureReference()
-  {
-    if (this->Settings.ErrorViews < 1 || this->Aborted)
-    {
-      return;
-    }
-    Contestant reference(this->HasFineSteps() ? "single-pass" : "reference", this->Input);
-    this->Scene.Add(reference);
-    this->Scene.Show(reference);
-    this->CompareWith(*reference.GetMapper());
-    this->Scene.Remove(reference);
-  }
-
-  bool HasFineSteps() const { return this->Settings.Reference == FineSteps; }
-
-  std::string ReferenceName() const
-  {
-    return this->HasFineSteps()
-      ? "single-pass Midpoint step " + JsonNumber(this->Settings.ReferenceStepVoxels)
-      : "cell-exact float64";
-  }
-
-  int ErrorWidth() const
-  {
-    return this->Settings.ErrorWidth > 0 ? this->Settings.ErrorWidth : this->Settings.Width;
-  }
-
-  int ErrorHeight() const
-  {
-    return this->Settings.ErrorHeight > 0 ? this->Settings.ErrorHeight : this->Settings.Height;
-  }
-
-  void KeepPictures(const FloatPicture& reference)
-  {
-    const std::string& folder = this->Settings.PictureFolder;
-    if (folder.empty())
-    {
-      return;
-    }
-    WriteFloatPicture(reference, folder + "/" + ReferencePicture);
-    for (std::size_t i = 0; i < this->Runs.size(); ++i)
-    {
-      Run& run = this->Runs[i];
-      if (run.Result.Status == "ok" && !run.Pictures.empty())
-      {
-        run.Result.Picture = "run-" + std::to_string(i) + ".rgba32f";
-        WriteFloatPicture(run.Pictures.front(), folder + "/" + run.Result.Picture);
-      }
-    }
-  }
-
-  void CompareWith(vtkVolumeBenchMapper& mapper)
-  {
-    mapper.SetIntegrator(1);
-    mapper.SetTerminationThreshold(0.0);
-    mapper.SetStepVoxels(this->Settings.ReferenceStepVoxels);
-    std::vector<FloatPicture> references;
-    for (int view = 0; view < this->Settings.ErrorViews && this->Continue(); ++view)
-    {
-      this->PlaceFrame(this->ErrorFrame(view));
-      references.push_back(this->Scene.Picture());
-    }
-    if (!this->Continue() || !mapper.GetFailure().empty())
-    {
-      return;
-    }
-    this->KeepPictures(references.front());
-    const double uncertainty = this->ReferenceUncertainty(mapper);
-    for (Run& run : this->Runs)
-    {
-      if (run.Result.Status == "ok" && run.Pictures.size() == references.size())
-      {
-        run.Result.Error = CompareImages(run.Pictures, references);
-        run.Result.Perceived = ComparePerceived(run.Pictures, references);
-        run.Result.ErrorWidth = references.front().Width;
-        run.Result.ErrorHeight = references.front().Height;
-        run.Result.Reference = this->ReferenceName();
-        run.Result.ReferenceUncertainty = uncertainty;
-      }
-      run.Pictures.clear();
-    }
-  }
-
-  double ReferenceUncertainty(vtkVolumeBenchMapper& mapper)
-  {
-    const int shrink = std::max(
-      ReferenceShrink, std::max(this->ErrorWidth(), this->ErrorHeight()) / LargestCheckedSide);
-    this->Scene.Resize(
-      std::max(1, this->ErrorWidth() / shrink), std::max(1, this->ErrorHeight() / shrink));
-    this->PlaceFrame(this->ErrorFrame(0));
-    const FloatPicture reference = this->Scene.Picture();
-    // The finest of the three steps that the check extrapolates from is the reference step.
-    const double factor = this->HasFineSteps() ? 0.5 : 4.0;
-    mapper.SetStepVoxels(factor * this->Settings.ReferenceStepVoxels);
-    mapper.SetReferenceMethod(1);
-    return CompareImages(reference, this->Scene.Picture()).Rmse;
   }
 
   void MeasureTimes()
@@ -287,8 +180,11 @@ private:
 
   void MeasureBlock(Run& run)
   {
+    this->Tell(BeginNote(run.Variant, "frames"));
+    this->CoolDown();
     run.Apply(this->Scene, this->Settings);
     const std::vector<int> frames = this->NextFrames(run);
+    const std::size_t before = run.Frames.size();
     // Not the first view: a technique may keep what it made for the view before.
     this->PlaceFrame(frames.back());
     const int warmUp =
@@ -306,8 +202,7 @@ private:
     {
       this->PlaceFrame(frame);
       const FrameTime time = this->Scene.TimeFrame();
-      run.Rule.AddFrame(time.WallMs);
-      run.GpuMs.push_back(time.GpuMs);
+      run.AddFrame(frame, time.WallMs, time.GpuMs);
       spentMs += time.WallMs;
       // At most half of the time limit in one go, so that a slow run takes turns with others too.
       const bool slow = spentMs > 500.0 * this->Settings.Stop.TimeLimitS;
@@ -317,6 +212,13 @@ private:
       }
     }
     run.Describe();
+    this->Tell(FramesNote(run.Variant, run.Frames, run.Rule.GetFramesMs(), run.GpuMs, before));
+  }
+
+  void CoolDown() const
+  {
+    std::this_thread::sleep_for(
+      std::chrono::duration<double, std::milli>(this->Settings.CoolDownMs));
   }
 
   // Frames of their own, since timing its stages makes a frame slower. At least one is drawn, then
@@ -355,7 +257,7 @@ private:
     std::vector<SampleCount> counts;
     for (int view = 0; view < std::max(1, this->Settings.ErrorViews); ++view)
     {
-      this->PlaceFrame(this->ErrorFrame(view));
+      this->PlaceFrame(ErrorFrame(view, this->Settings));
       counts.push_back(run.CountSamples(this->Scene));
     }
     run.Result.Samples = MeanSampleCount(counts);
@@ -364,6 +266,7 @@ private:
   ExperimentSettings Settings;
   const ContestantInput& Input;
   const ExperimentProgress& Report;
+  const ExperimentListener& Tell;
   Stage Scene;
   double Bounds[6] = {};
   std::vector<std::unique_ptr<Contestant>> Contestants;
@@ -373,9 +276,10 @@ private:
 }
 
 std::vector<RunResult> RunExperiment(const ExperimentSettings& settings,
-  const ContestantInput& input, const ExperimentProgress& progress)
+  const ContestantInput& input, const ExperimentProgress& progress,
+  const ExperimentListener& listener)
 {
   CheckSettings(settings);
-  return Laboratory(settings, input, progress).Measure();
+  return Laboratory(settings, input, progress, listener).Measure();
 }
 }

@@ -44,6 +44,7 @@ struct RunResult
   int Frames = 0;
   Summary FrameMs;
   Summary GpuMs;
+  std::string FrameLog; // JSON: every timed frame, as ExperimentNotes.h has it
   double UploadMs = std::numeric_limits<double>::quiet_NaN();
   double TablesMs = std::numeric_limits<double>::quiet_NaN();
   double GridMs = std::numeric_limits<double>::quiet_NaN();
@@ -63,10 +64,16 @@ struct RunResult
 /// Is told the share done in [0, 1] after every frame; returns false to abort.
 using ExperimentProgress = std::function<bool(double share)>;
 
+/// Is told of each piece of work before it begins and of what came out of it, as JSON on one line;
+/// see ExperimentNotes.h.
+using ExperimentListener = std::function<void(const std::string& note)>;
+
 /// Throws std::runtime_error for settings that make no sense, naming the value, and when there is
 /// no OpenGL window. Runs that were cut short by an abort are left out of the result.
-VOLUMEBENCHBENCHMARK_EXPORT std::vector<RunResult> RunExperiment(const ExperimentSettings& settings,
-  const ContestantInput& input, const ExperimentProgress& progress);
+VOLUMEBENCHBENCHMARK_EXPORT std::vector<RunResult> RunExperiment(
+  const ExperimentSettings& settings, const ContestantInput& input,
+  const ExperimentProgress& progress,
+  const ExperimentListener& listener = [](const std::string&) {});
 }
 
 #endif

@@ -65,6 +65,8 @@ void CheckSettings(const ExperimentSettings& settings)
   refuse(
     settings.Orbit.Path == CameraPath::ThreeViews && settings.Orbit.FramesPerTurn != FixedViews,
     "the path three-views has 3 frames, not " + std::to_string(settings.Orbit.FramesPerTurn));
+  refuse(!(settings.CoolDownMs >= 0.0) || !std::isfinite(settings.CoolDownMs),
+    "the cool-down is " + std::to_string(settings.CoolDownMs) + " ms; it must not be negative");
   refuse(!(settings.Orbit.Zoom > 0.0), "the zoom is " + std::to_string(settings.Orbit.Zoom));
   refuse(settings.ErrorViews < 0 || settings.ErrorViews > settings.Orbit.FramesPerTurn,
     std::to_string(settings.ErrorViews) + " error views do not fit an orbit of " +

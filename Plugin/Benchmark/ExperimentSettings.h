@@ -26,6 +26,7 @@ struct ExperimentSettings
   OrbitSettings Orbit;
   StopRuleSettings Stop;
   int WarmUpFrames = 2;
+  double CoolDownMs = 0.0; // of rest before each block of frames
   int ErrorViews = 1; // spread evenly over the turn; 0: no error
   int ErrorWidth = 0; // of the pictures that errors are measured on; 0: the size that is timed
   int ErrorHeight = 0;

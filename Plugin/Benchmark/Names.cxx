@@ -75,7 +75,11 @@ const NameTable& CameraPathNames()
 {
   static const NameTable names("camera path",
     { { "orbit-y", static_cast<int>(CameraPath::OrbitY) },
-      { "three-views", static_cast<int>(CameraPath::ThreeViews) } });
+      { "three-views", static_cast<int>(CameraPath::ThreeViews) },
+      { "orbit-x", static_cast<int>(CameraPath::OrbitX) },
+      { "orbit-diagonal", static_cast<int>(CameraPath::OrbitDiagonal) },
+      { "in-and-out", static_cast<int>(CameraPath::InAndOut) },
+      { "random", static_cast<int>(CameraPath::Random) } });
   return names;
 }
 

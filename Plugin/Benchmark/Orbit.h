@@ -20,7 +20,11 @@ struct CameraPose
 enum class CameraPath
 {
   OrbitY,
-  ThreeViews
+  ThreeViews,
+  OrbitX,
+  OrbitDiagonal,
+  InAndOut,
+  Random
 };
 
 constexpr int FixedViews = 3; // frames of path "three-views"
@@ -31,6 +35,7 @@ struct OrbitSettings
   double ElevationDegrees = 20.0;
   double Zoom = 1.0; // divides the distance
   CameraPath Path = CameraPath::OrbitY;
+  int Seed = 0; // of path "random"
 };
 
 /// Path "orbit-y": once round the y axis through the middle of `bounds` (x, y and z ranges) in
@@ -38,6 +43,10 @@ struct OrbitSettings
 /// distance from which the bounding sphere just fits a view angle of 30 degrees.
 /// Path "three-views": looking along -x, along -z and obliquely (azimuth 40 degrees, elevation 25
 /// degrees), at the same distance; the frame counts modulo 3.
+/// Paths "orbit-x" and "orbit-diagonal": as orbit-y, but about x and about the line between x and
+/// y, towards which the elevation raises the camera. "in-and-out": from azimuth 40 degrees and the
+/// elevation, once to half of the distance and back. "random": a direction for each frame, evenly
+/// over the sphere, that depends on seed and frame alone.
 VOLUMEBENCHBENCHMARK_EXPORT CameraPose OrbitPose(
   int frame, const OrbitSettings& settings, const double bounds[6]);
 

@@ -32,6 +32,7 @@ void FillCosts(Columns& columns)
   columns.Number("setup_ms.tables", [](const RunResult& r) { return r.TablesMs; });
   columns.Number("setup_ms.grid", [](const RunResult& r) { return r.GridMs; });
   columns.Number("setup_ms.compile", [](const RunResult& r) { return r.CompileMs; });
+  columns.Text("frame_log", [](const RunResult& r) { return r.FrameLog; });
   columns.Text("stages_ms", [](const RunResult& r) { return StagesJson(r.Stages); });
   columns.Number("samples_taken", [](const RunResult& r) { return r.Samples.Taken; });
   columns.Number("samples_skipped", [](const RunResult& r) { return r.Samples.Skipped; });

@@ -1,6 +1,7 @@
 #include "Run.h"
 
 #include "Contestant.h"
+#include "ExperimentNotes.h"
 #include "Stage.h"
 #include "Techniques/Technique.h"
 #include "VtkSampleCounter.h"
@@ -63,6 +64,13 @@ SampleCount Run::CountSamples(Stage& stage) const
   return {};
 }
 
+void Run::AddFrame(int frame, double wallMs, double gpuMs)
+{
+  this->Frames.push_back(frame);
+  this->Rule.AddFrame(wallMs);
+  this->GpuMs.push_back(gpuMs);
+}
+
 void Run::Summarise()
 {
   if (this->Result.Status == "ok")
@@ -70,6 +78,7 @@ void Run::Summarise()
     this->Result.Frames = static_cast<int>(this->Rule.GetFramesMs().size());
     this->Result.FrameMs = Summarize(this->Rule.GetFramesMs());
     this->Result.GpuMs = Summarize(this->GpuMs);
+    this->Result.FrameLog = FrameLogJson(this->Frames, this->Rule.GetFramesMs(), this->GpuMs);
   }
 }
 }

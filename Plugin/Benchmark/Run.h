@@ -21,8 +21,11 @@ struct Run
   TechniqueSettings Own;
   RunResult Result;
   StopRule Rule;
-  std::vector<double> GpuMs;
-  std::vector<FloatPicture> Pictures;
+  std::vector<double> GpuMs = {};
+  std::vector<int> Frames = {}; // of the camera path, one for each timed frame
+  std::vector<FloatPicture> Pictures = {};
+  int Variant = -1;      // its number
+  bool HasError = false; // from an earlier experiment
 
   /// Makes the contestant the only visible one and sets what the run asks for.
   void Apply(Stage& stage, const ExperimentSettings& settings) const;
@@ -37,6 +40,9 @@ struct Run
 
   /// The samples of one more frame; NaN for a contestant that cannot count them.
   SampleCount CountSamples(Stage& stage) const;
+
+  /// Takes the next frame that was timed.
+  void AddFrame(int frame, double wallMs, double gpuMs);
 
   /// Turns the timed frames into the figures of the result.
   void Summarise();

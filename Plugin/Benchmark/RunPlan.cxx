@@ -41,7 +41,7 @@ std::vector<PlannedRun> PlanRuns(const ExperimentSettings& settings, const std::
         if ((anyIntegrator || firstIntegrator) && (anyStep || firstStep))
         {
           runs.push_back({ anyIntegrator ? integrator : variant.Integrator,
-            anyStep ? step : variant.StepVoxels, variant.Values });
+            anyStep ? step : variant.StepVoxels, variant.Values, variant.Earlier, variant.Number });
         }
       }
     }
@@ -55,7 +55,8 @@ std::vector<PlannedRun> PlanPeerRuns(const ExperimentSettings& settings, const s
   for (const Variant& variant : VariantsOf(settings, peer))
   {
     const TechniqueSettings own = WithValues(settings.Own, variant.Values);
-    runs.push_back({ -1, own.SampleDistanceVoxels, variant.Values });
+    runs.push_back(
+      { -1, own.SampleDistanceVoxels, variant.Values, variant.Earlier, variant.Number });
   }
   return runs;
 }

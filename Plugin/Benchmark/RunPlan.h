@@ -16,6 +16,8 @@ struct PlannedRun
   int Integrator = -1; // -1: the peer's own
   double StepVoxels = 0.0;
   std::vector<SettingValue> Values; // of the variant
+  EarlierMeasurement Earlier = {};
+  int Variant = -1; // its number; -1: none was given
 };
 
 /// The runs of a technique of ours: each integrator and step with each of its variants. A variant

@@ -6,6 +6,7 @@
 #include "vtkVolumeBenchMapper.h"
 
 #include <cmath>
+#include <sstream>
 #include <stdexcept>
 
 namespace volumebench
@@ -71,6 +72,41 @@ bool SwitchOf(const std::string& name, const std::string& text)
       "the setting " + name + " is '" + text + "'; it must be true or false");
   }
   return on;
+}
+
+// Numbers with spaces between; "nan" is one that is not known.
+std::vector<double> NumbersOf(const std::string& name, const std::string& text)
+{
+  std::vector<double> numbers;
+  std::istringstream stream(text);
+  for (std::string word; stream >> word;)
+  {
+    numbers.push_back(
+      word == "nan" ? std::numeric_limits<double>::quiet_NaN() : NumberOf(name, word));
+  }
+  return numbers;
+}
+
+// Tells whether the value belongs to an earlier measurement, which it then is part of.
+bool TakeEarlier(const SettingValue& value, EarlierMeasurement& earlier)
+{
+  if (value.Name == "frames_ms")
+  {
+    earlier.FramesMs = NumbersOf(value.Name, value.Text);
+  }
+  else if (value.Name == "frames_gpu_ms")
+  {
+    earlier.GpuMs = NumbersOf(value.Name, value.Text);
+  }
+  else if (value.Name == "error_known")
+  {
+    earlier.HasError = SwitchOf(value.Name, value.Text);
+  }
+  else
+  {
+    return false;
+  }
+  return true;
 }
 
 struct SettingRow
@@ -160,10 +196,15 @@ Variant ParseVariant(const std::string& text)
     {
       variant.StepVoxels = NumberOf(value.Name, value.Text);
     }
-    else
+    else if (!TakeEarlier(value, variant.Earlier))
     {
       variant.Values.push_back(value);
     }
+  }
+  if (variant.Earlier.FramesMs.size() != variant.Earlier.GpuMs.size())
+  {
+    throw std::runtime_error(
+      "the variant '" + variant.Technique + "' has not as many frames_gpu_ms as frames_ms");
   }
   CheckTechniqueSettings(WithValues({}, variant.Values));
   return variant;

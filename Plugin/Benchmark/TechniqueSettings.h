@@ -38,6 +38,14 @@ struct SettingValue
   std::string Text; // such as 4
 };
 
+/// What an interrupted experiment had measured of a run; the new one goes on from there.
+struct EarlierMeasurement
+{
+  std::vector<double> FramesMs;
+  std::vector<double> GpuMs; // as many; NaN where not known
+  bool HasError = false;     // its error was measured and is not wanted again
+};
+
 /// A technique that is measured with settings of its own, once for each of its variants.
 struct Variant
 {
@@ -45,13 +53,16 @@ struct Variant
   std::vector<SettingValue> Values;
   int Integrator = -1;                                          // -1: each of the experiment's
   double StepVoxels = std::numeric_limits<double>::quiet_NaN(); // NaN: each of the experiment's
+  EarlierMeasurement Earlier = {};
+  int Number = -1; // in the order in which an experiment was given its variants
 };
 
 /// Reads "ID; name=value; name=value" with the names integrator, step_voxels,
 /// termination_threshold, skipping (true or false), macrocell_voxels, jitter (true or false),
 /// jitter_seed, table_size, work_group_shape, opencl_device,
 /// opencl_storage, slice_extent, slice_threads, slice_target, slice_order and, for peers,
-/// sample_distance_voxels. Throws std::runtime_error that quotes what it cannot read.
+/// sample_distance_voxels. Of an earlier measurement: frames_ms and frames_gpu_ms (numbers with
+/// spaces between), error_known. Throws std::runtime_error that quotes what it cannot read.
 VOLUMEBENCHBENCHMARK_EXPORT Variant ParseVariant(const std::string& text);
 
 /// `settings` with the values of a variant in place. Throws for unknown names and values.

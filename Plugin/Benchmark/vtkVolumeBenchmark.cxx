@@ -8,6 +8,7 @@
 #include "Scene/VolumeBuilder.h"
 
 #include "vtkColorTransferFunction.h"
+#include "vtkCommand.h"
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkImageData.h"
@@ -181,14 +182,17 @@ volumebench::ExperimentSettings vtkVolumeBenchmark::MakeSettings() const
   for (const std::string& text : this->Variants)
   {
     settings.Variants.push_back(volumebench::ParseVariant(text));
+    settings.Variants.back().Number = static_cast<int>(settings.Variants.size()) - 1;
   }
   settings.Width = this->ImageSize[0];
   settings.Height = this->ImageSize[1];
-  settings.Orbit = { this->Frames, this->Elevation, this->Zoom, CameraPathOf(this->CameraPath) };
+  settings.Orbit = { this->Frames, this->Elevation, this->Zoom, CameraPathOf(this->CameraPath),
+    this->CameraSeed };
   settings.Stop.MinimumFrames = this->MinimumFrames;
   settings.Stop.RelativeNoise = this->RelativeNoise;
   settings.Stop.TimeLimitS = this->TimeLimit;
   settings.Stop.DurationS = this->Seconds;
+  settings.CoolDownMs = this->CoolDown;
   settings.WarmUpFrames = this->WarmUpFrames;
   settings.ErrorViews = this->ErrorViews;
   settings.ErrorWidth = this->ErrorImageSize[0];
@@ -224,12 +228,14 @@ void vtkVolumeBenchmark::Measure(vtkImageData* image, vtkTable* table)
   this->FillProperty(image, volume.FiniteRange, property);
   input.Property = property;
 
-  const auto results = volumebench::RunExperiment(settings, input,
+  const auto results = volumebench::RunExperiment(
+    settings, input,
     [this](double share)
     {
       this->UpdateProgress(share);
       return this->GetAbortExecute() == 0;
-    });
+    },
+    [this](std::string note) { this->InvokeEvent(vtkCommand::UserEvent, note.data()); });
   volumebench::FillResultTable(results, settings, this->CameraPath, table);
 }
 

@@ -10,6 +10,9 @@
  * Times are milliseconds, errors are on linear premultiplied float RGBA in [0, 1] over the union
  * footprint.
  *
+ * While it measures, it invokes vtkCommand::UserEvent with the text of each note
+ * (ExperimentNotes.h).
+ *
  * Bad settings and input that cannot be drawn give one error and an empty table.
  */
 #ifndef vtkVolumeBenchmark_h
@@ -138,9 +141,11 @@ public:
   ///@}
 
   ///@{
-  /** Camera path: "orbit-y", or "three-views" with 3 frames; see Orbit.h. */
+  /** Camera path by name, such as "orbit-y", and the seed of path "random"; see Orbit.h. */
   vtkSetStdStringFromCharMacro(CameraPath);
   vtkGetCharFromStdStringMacro(CameraPath);
+  vtkSetMacro(CameraSeed, int);
+  vtkGetMacro(CameraSeed, int);
   ///@}
 
   ///@{
@@ -165,6 +170,9 @@ public:
   vtkGetMacro(TimeLimit, double);
   vtkSetMacro(Seconds, double);
   vtkGetMacro(Seconds, double);
+  /** Milliseconds of rest before each block of frames. */
+  vtkSetMacro(CoolDown, double);
+  vtkGetMacro(CoolDown, double);
   ///@}
 
   ///@{
@@ -221,6 +229,7 @@ protected:
   int SliceTarget = 0;
   int SliceOrder = 0;
   std::string CameraPath = "orbit-y";
+  int CameraSeed = 0;
   int Frames = 36;
   double Elevation = 20.0;
   double Zoom = 1.0;
@@ -229,6 +238,7 @@ protected:
   double RelativeNoise = 0.01;
   double TimeLimit = 10.0;
   double Seconds = 0.0;
+  double CoolDown = 0.0;
   int ErrorViews = 1;
   int Reference = 0;
   double ReferenceStepVoxels = 1.0 / 32.0;

@@ -11,6 +11,7 @@ from .errors import BenchError
 from .findings import findings_of
 from .json_file import make_writable_folder
 from .plot import write_plots
+from .plugin_file import find_plugin
 from .progress import Progress
 from .report import write_report
 from .results import FAILED, Record
@@ -24,6 +25,7 @@ from .study import SCALING, Study
 from .study_file import find_study, load_study
 from .summary import unfinished
 from .tables import as_text, text_tables
+from .worker import HANG_LIMIT_S, WorkerSession
 
 
 class _Parser(argparse.ArgumentParser):
@@ -56,8 +58,22 @@ def parse(arguments: list[str] | None) -> argparse.Namespace:
         metavar="FILE",
         help="ceilings of this machine, from ./run calibrate",
     )
+    add(
+        "--hang-limit",
+        type=_seconds,
+        default=HANG_LIMIT_S,
+        metavar="SECONDS",
+        help="a run that gives no sign of life for so long is given up (default: %(default)g)",
+    )
     add("--plugin", metavar="FILE", help="the plugin, if not the one built here")
     return parser.parse_args(arguments)
+
+
+def _seconds(text: str) -> float:
+    value = float(text)
+    if not 1 <= value <= 86400:
+        raise argparse.ArgumentTypeError(f"{text} is not from 1 to 86400 seconds")
+    return value
 
 
 def study_of(options: argparse.Namespace) -> Study:
@@ -93,14 +109,32 @@ def run(options: argparse.Namespace) -> int:
     runner = Runner(study, inputs, folder, earlier, calibration)
     records = runner.records
     if not runner.is_complete():
-        from .session import Session, find_plugin
-
-        session = Session(study, find_plugin(options.plugin))
-        records = runner.measure(session, Progress(len(runner.missing)))
+        interrupted = measure(study, runner, options)
+        records = runner.records
+        if interrupted and not records:
+            raise KeyboardInterrupt
     else:
+        interrupted = False
         runner.renew_calibration()
     write_views(study, folder, runner, records)
+    if interrupted:
+        raise KeyboardInterrupt
     return 1 if all(record.status == FAILED for record in records) else 0
+
+
+def measure(study: Study, runner: Runner, options: argparse.Namespace) -> bool:
+    """Measure what is missing in a process of its own; tell whether that was interrupted."""
+    session = WorkerSession(
+        study, find_plugin(options.plugin), hang_limit_s=options.hang_limit
+    )
+    try:
+        runner.measure(session, Progress(len(runner.missing)))
+    except KeyboardInterrupt:
+        runner.write()
+        return True
+    finally:
+        session.close()
+    return False
 
 
 def try_stability(options: argparse.Namespace) -> int:
@@ -115,7 +149,7 @@ def try_stability(options: argparse.Namespace) -> int:
     study = study.quick() if options.quick else study
     folder = folder_of(options, study.name)
     make_writable_folder(folder)
-    from .session import Session, find_plugin
+    from .session import Session
 
     session = Session(None, find_plugin(options.plugin))
     progress = Progress(1)
@@ -153,8 +187,9 @@ def write_views(
 
 def main(arguments: list[str] | None = None) -> int:
     """Run the command line; bad input is one line on stderr and exit code 2."""
-    # pvpython's own handler would end an interrupt with a stack trace.
-    signal.signal(signal.SIGINT, signal.default_int_handler)
+    # pvpython's own handler would end an interrupt with a stack trace; ./run sends SIGTERM.
+    for number in (signal.SIGINT, signal.SIGTERM):
+        signal.signal(number, signal.default_int_handler)
     try:
         return run(parse(arguments))
     except BenchError as fault:

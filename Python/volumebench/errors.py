@@ -10,3 +10,7 @@ class BenchError(Exception):
 
 class StudyError(BenchError):
     """A study, a volume description or a transfer function that cannot be used."""
+
+
+class OutputError(BenchError):
+    """Results cannot be written: the disk is full, or the folder gone; the study ends."""

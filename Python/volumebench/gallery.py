@@ -13,7 +13,7 @@ from .results import Record
 from .study import Run, Scene
 from .technique_settings import settings_text
 from .techniques import TECHNIQUES
-from .view_measure import Pictures
+from .kept_pictures import Pictures
 
 FOLDER = "pictures"
 INDEX = "index.json"
@@ -75,7 +75,7 @@ def _write_picture(
     if truth is not None and factor is not None:
         difference_file = f"{stem}-difference.png"
         write_png(target / difference_file, difference_image(image, truth, factor))
-    record = next(item for item in records if item.run() == run)
+    record = next(item for item in records if item.run().key() == run.key())
     title = TECHNIQUES[run.technique].title
     return Picture(title, _caption(record), f"{stem}.png", difference_file)
 

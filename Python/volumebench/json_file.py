@@ -9,7 +9,7 @@ from typing import Any
 
 import jsonschema
 
-from .errors import BenchError, StudyError
+from .errors import BenchError, OutputError, StudyError
 
 _SCHEMA_FOLDER = Path(__file__).resolve().parent
 
@@ -97,12 +97,24 @@ def write_atomically(path: Path, content: bytes | str) -> None:
         temporary = Path(name)
         with os.fdopen(handle, "wb") as stream:
             stream.write(data)
+            stream.flush()
+            os.fsync(stream.fileno())
         temporary.chmod(0o644)
         temporary.replace(path)
+        _sync_folder(path.parent)
     except OSError as fault:
         if temporary is not None:
             temporary.unlink(missing_ok=True)
-        raise BenchError(f"{path}: cannot be written: {fault.strerror}") from None
+        raise OutputError(f"{path}: cannot be written: {fault.strerror}") from None
+
+
+def _sync_folder(folder: Path) -> None:
+    """Have the disk know the new name before anything relies on it."""
+    handle = os.open(folder, os.O_RDONLY)
+    try:
+        os.fsync(handle)
+    finally:
+        os.close(handle)
 
 
 def make_writable_folder(folder: Path) -> None:

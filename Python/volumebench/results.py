@@ -4,6 +4,7 @@ import csv
 import io
 import json
 import math
+import re
 from dataclasses import asdict, dataclass, field, fields, replace
 from pathlib import Path
 from typing import Any
@@ -39,6 +40,25 @@ class Context:
     cuda_device: str | None = None
     opencl_device: str | None = None
     calibration: dict[str, Any] | None = None
+
+
+@dataclass
+class FrameLog:
+    """Every timed frame, none left out: frame of the camera path, milliseconds, and the GPU's."""
+
+    frame: list[int] = field(default_factory=list)
+    ms: list[float] = field(default_factory=list)
+    gpu_ms: list[float | None] = field(default_factory=list)
+
+    def extend(self, more: "FrameLog") -> None:
+        """Append the frames of another log."""
+        self.frame += more.frame
+        self.ms += more.ms
+        self.gpu_ms += more.gpu_ms
+
+    def since(self, first: int) -> "FrameLog":
+        """Return the frames from an index on."""
+        return FrameLog(self.frame[first:], self.ms[first:], self.gpu_ms[first:])
 
 
 @dataclass(frozen=True)
@@ -77,6 +97,7 @@ class Record:
     frame_ms: Spread = field(default_factory=Spread)
     gpu_ms: Spread = field(default_factory=Spread)
     fps: float | None = None
+    frame_log: FrameLog | None = None
     setup_ms: SetUpTimes = field(default_factory=SetUpTimes)
     stages_ms: dict[str, float | None] | None = None
     samples_taken: int | None = None
@@ -124,11 +145,16 @@ def record_of(
     )
 
 
-def times(frame_ms: list[float]) -> dict[str, Any]:
+def times(log: FrameLog) -> dict[str, Any]:
     """Return the record values that follow from measured frames."""
-    summary = spread(frame_ms)
+    summary = spread(log.ms)
     fps = 1000 / summary.median if summary.median else None
-    return {"frames": len(frame_ms) or None, "frame_ms": summary, "fps": fps}
+    return {
+        "frames": len(log.ms) or None,
+        "frame_ms": summary,
+        "fps": fps,
+        "frame_log": log if log.ms else None,
+    }
 
 
 def values_of_row(row: dict[str, Any]) -> dict[str, Any]:
@@ -142,8 +168,9 @@ def values_of_row(row: dict[str, Any]) -> dict[str, Any]:
     ):
         values[name] = _group_of(cleaned, name, group)
     values["error"] = replace(values["error"], image_size=_error_size(cleaned))
-    stages = cleaned.get("stages_ms")
+    stages, log = cleaned.get("stages_ms"), cleaned.get("frame_log")
     values["stages_ms"] = json.loads(stages) if stages else None
+    values["frame_log"] = FrameLog(**json.loads(log)) if log else None
     for name in ("frames", "samples_taken", "samples_skipped", "rays_terminated"):
         values[name] = _whole(cleaned.get(name))
     for name in ("fps", "reason"):
@@ -193,21 +220,34 @@ def write_results(folder: Path, context: Context, records: list[Record]) -> None
         "context": asdict(context),
         "runs": [asdict(record) for record in records],
     }
-    text = json.dumps(document, indent=1, allow_nan=False)
+    text = _with_short_lists(json.dumps(document, indent=1, allow_nan=False))
     write_atomically(folder / "results.json", text + "\n")
     write_atomically(folder / "results.csv", as_csv(records))
+
+
+def _with_short_lists(text: str) -> str:
+    """Return JSON text with each list of numbers on one line."""
+    numbers = r"\[\s*((?:[-+.\deE]+|null)(?:,\s*(?:[-+.\deE]+|null))*)\s*\]"
+
+    def on_one_line(found: re.Match[str]) -> str:
+        return "[" + re.sub(r",\s*", ", ", found.group(1)) + "]"
+
+    return re.sub(numbers, on_one_line, text)
 
 
 def read_results(path: Path) -> tuple[Context, list[Record]]:
     """Read a results.json that this package wrote."""
     document = read_json(path)
     check_schema(document, "results_schema.json", path)
-    records = [_record_from(row) for row in document["runs"]]
+    records = [record_from(row) for row in document["runs"]]
     return Context(**document["context"]), records
 
 
-def _record_from(row: dict[str, Any]) -> Record:
+def record_from(row: dict[str, Any]) -> Record:
+    """Return the record of a row of results.json."""
     values = dict(row)
+    if values.get("frame_log") is not None:
+        values["frame_log"] = FrameLog(**values["frame_log"])
     for name in ("dims", "image_size", *_LISTS):
         values[name] = None if values[name] is None else tuple(values[name])
     for name, group in (
@@ -231,6 +271,8 @@ def flattened(record: Record) -> dict[str, Any]:
     """
     flat: dict[str, Any] = {}
     for name, value in asdict(record).items():
+        if name == "frame_log":
+            continue  # one row per run has no room for every frame
         if name in _NESTED:
             flat[name] = json.dumps(value) if value else None
         elif isinstance(value, dict):

@@ -1,17 +1,24 @@
-"""Runs a study: scene by scene through a session, writing the results after each step."""
+"""Runs a study: scene by scene through a session, keeping all that is measured as it comes."""
 
+import time
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any, Protocol
 
 from .calibration import keep_calibration, with_calibration
 from .datasets import VolumeFile, find_volume
-from .errors import BenchError
+from .errors import BenchError, OutputError
 from .gallery import forget_galleries, write_gallery
+from .group_watch import GroupWatch
+from .journal import FILE as JOURNAL_FILE
+from .journal import FolderLock, Journal, Measured, RunProgress, forget_journal
+from .journal import read_journal
 from .json_file import make_writable_folder
+from .kept_pictures import Pictures
 from .progress import Progress
 from .results import (
     FAILED,
+    OK,
     Context,
     Record,
     check_same_settings,
@@ -30,7 +37,10 @@ from .transfer_functions import (
     find_transfer_function,
     load_transfer_function,
 )
-from .view_measure import Contestant, Pictures
+from .view_measure import Contestant
+from .worker import WorkerEnded
+
+WRITE_INTERVAL_S = 5.0
 
 
 class Session(Protocol):
@@ -42,10 +52,10 @@ class Session(Protocol):
     def open_volume(self, file: VolumeFile) -> Any:
         ...
 
-    def run_engine(self, volume: Any, function: Any, runs: Any, report: Any) -> Any:
+    def run_engine(self, volume: Any, function: Any, runs: Any, watch: Any) -> Any:
         ...
 
-    def run_view(self, volume: Any, function: Any, runs: Any, report: Any) -> Any:
+    def run_view(self, volume: Any, function: Any, runs: Any, watch: Any) -> Any:
         ...
 
     def run_start(self, volume: Any, function: Any, report: Any) -> Any:
@@ -84,22 +94,37 @@ class Earlier:
     context: Context = field(default_factory=Context)
     records: list[Record] = field(default_factory=list)
     start_rows: list[StartRow] = field(default_factory=list)
+    measured: Measured = field(default_factory=Measured)
+    lock: FolderLock | None = None
 
 
 def prepare_folder(study: Study, folder: Path, resume: bool) -> Earlier:
-    """Make the output folder and return what needs no new measurement."""
+    """Make the output folder, keep others out of it, and return what needs no new measurement."""
     make_writable_folder(folder)
-    earlier = Earlier()
-    if resume and (folder / "results.json").is_file():
+    lock = FolderLock(folder)
+    written = [folder / name for name in ("results.json", JOURNAL_FILE)]
+    if resume and any(path.is_file() for path in written):
         check_same_settings(folder, study.settings())
-        context, records = read_results(folder / "results.json")
-        kept = [record for record in records if record.status != FAILED]
-        earlier = Earlier(context, kept)
-        earlier.start_rows = read_start(folder)
+        earlier = _earlier(folder)
     else:
+        earlier = Earlier()
+        forget_journal(folder)
         forget_galleries(folder)
-        (folder / START_FILE).unlink(missing_ok=True)
+        for name in (START_FILE, "results.json", "results.csv"):
+            (folder / name).unlink(missing_ok=True)
+    earlier.lock = lock
     write_settings(folder, study.settings())
+    return earlier
+
+
+def _earlier(folder: Path) -> Earlier:
+    earlier = Earlier(measured=read_journal(folder), start_rows=read_start(folder))
+    records: list[Record] = []
+    if (folder / "results.json").is_file():
+        earlier.context, records = read_results(folder / "results.json")
+    rows = {record.run().key(): record for record in records}
+    rows |= {row.run().key(): row for row in earlier.measured.records.values()}
+    earlier.records = [row for row in rows.values() if row.status != FAILED]
     return earlier
 
 
@@ -124,6 +149,10 @@ class Runner:
         self.missing = [run for run in study.runs() if run.key() not in measured]
         self.notes: list[str] = []
         self.start_rows = earlier.start_rows
+        self._measured = earlier.measured
+        self._lock = earlier.lock  # held as long as this is
+        self._journal: Journal | None = None
+        self._written_s = 0.0
 
     def is_complete(self) -> bool:
         """Tell whether an earlier run left nothing to be measured."""
@@ -132,14 +161,21 @@ class Runner:
     def measure(self, session: Session, progress: Progress) -> list[Record]:
         """Measure all missing runs and return all records in study order."""
         self.context = self._calibrated(session.context())
-        for dataset in self.study.datasets:
-            runs = [run for run in self.missing if run.scene.dataset == dataset.name]
-            if runs:
-                self._measure_dataset(session, dataset.name, runs, progress)
-        self._write()
-        if self.study.start and not self.start_rows:
-            self._measure_start(session, progress)
-        progress.close()
+        self._journal = Journal(self.folder)
+        try:
+            for dataset in self.study.datasets:
+                runs = [
+                    run for run in self.missing if run.scene.dataset == dataset.name
+                ]
+                if runs:
+                    self._measure_dataset(session, dataset.name, runs, progress)
+            self.write()
+            if self.study.start and not self.start_rows:
+                self._measure_start(session, progress)
+        finally:
+            self._journal.close()
+            progress.close()
+        forget_journal(self.folder)
         return self.records
 
     def _measure_start(self, session: Session, progress: Progress) -> None:
@@ -151,18 +187,31 @@ class Runner:
             def report(share: float) -> None:
                 progress.show(f"first pictures of {file.name}: {100 * share:.0f} %")
 
+            known = self._measured.start_rows.get(file.name)
+            if known is not None:
+                self.start_rows += known
+                continue
             try:
                 volume = session.open_volume(file)
-                self.start_rows += session.run_start(volume, function, report)
+                rows = session.run_start(volume, function, report)
+            except OutputError:
+                raise
             except Exception as fault:  # the study has its other results
                 self.notes.append(f"first picture of {file.name}: {fault}")
+                continue
+            self._journal.start(file.name, rows)
+            self.start_rows += rows
         write_start(self.folder, start, self.start_rows)
+
+    def close(self) -> None:
+        """Let others measure into the folder."""
+        self._lock.close()
 
     def renew_calibration(self) -> None:
         """Put a calibration beside rows that were all measured before."""
         if self._calibration is not None:
             self.context = self._calibrated(self.context)
-            self._write()
+            self.write()
 
     def _calibrated(self, context: Context) -> Context:
         if self._calibration is not None:
@@ -176,7 +225,9 @@ class Runner:
         try:
             volume = session.open_volume(self.inputs.volumes[name])
         except BenchError as fault:
-            self._add([_failed(run, None, str(fault)) for run in runs], progress)
+            for run in runs:
+                self.keep(_failed(run, None, str(fault)))
+            progress.finish(len(runs))
             return
         for scene in dict.fromkeys(run.scene for run in runs):
             self._measure_scene(session, volume, scene, runs, progress)
@@ -189,57 +240,84 @@ class Runner:
         runs: list[Run],
         progress: Progress,
     ) -> None:
-        function = self.inputs.functions[scene.transfer_function]
         inside = [run for run in runs if run.scene == scene]
         engine = [run for run in inside if run.path == ENGINE]
         view = [run for run in inside if run.path != ENGINE]
-
-        def report(partial_runs: float) -> None:
-            progress.show(scene.title(), partial_runs)
-
         for group, work in ((engine, self._engine), (view, self._view)):
-            if not group:
-                continue
+            if group:
+                self._measure_group(session, volume, group, work, progress)
+
+    def _measure_group(
+        self, session: Session, volume: Any, runs: list[Run], work: Any, progress: Any
+    ) -> None:
+        """Measure runs that take turns; one that ends the process is left out, the others go on."""
+        watch = GroupWatch(self, runs, volume, progress)
+        without_culprit = 0
+        while left := watch.left():
             try:
-                records = work(session, volume, function, group, report)
+                records = work(session, volume, left, watch)
+                watch.take([row for row in records if row.run() in watch.left()])
+                break
+            except OutputError:
+                raise
+            except WorkerEnded as fault:
+                without_culprit += fault.run is None
+                given_up = [fault.run] if fault.run else left
+                if fault.run or without_culprit > 1:
+                    watch.take([_failed(run, volume, str(fault)) for run in given_up])
             except Exception as fault:  # the study goes on with the next scene
                 reason = str(fault) or type(fault).__name__
-                records = [_failed(run, volume, reason) for run in group]
-            self._add(records, progress)
+                watch.take([_failed(run, volume, reason) for run in left])
+        if watch.pictures.by_technique:
+            rows = [row for row in self.records if row.run().scene == runs[0].scene]
+            write_gallery(self.folder, runs[0].scene, watch.pictures, rows)
+        self.write()
 
     def _engine(
-        self, session: Session, volume: Any, function: Any, runs: Any, report: Any
+        self, session: Session, volume: Any, runs: list[Run], watch: GroupWatch
     ) -> list[Record]:
-        records, pictures = session.run_engine(volume, function, runs, report)
-        self._keep_pictures(runs[0].scene, pictures, records)
+        function = self.inputs.functions[runs[0].scene.transfer_function]
+        records, pictures = session.run_engine(volume, function, runs, watch)
+        self._take_note(runs[0].scene, pictures)
         return records
 
     def _view(
-        self, session: Session, volume: Any, function: Any, runs: Any, report: Any
+        self, session: Session, volume: Any, runs: list[Run], watch: GroupWatch
     ) -> list[Record]:
-        contestants, pictures = session.run_view(volume, function, runs, report)
-        records = [_measured(item, volume) for item in contestants]
-        self._keep_pictures(runs[0].scene, pictures, records)
-        return records
+        function = self.inputs.functions[runs[0].scene.transfer_function]
+        contestants, pictures = session.run_view(volume, function, runs, watch)
+        self._take_note(runs[0].scene, pictures)
+        return [_measured(item, volume) for item in contestants]
 
-    def _keep_pictures(
-        self, scene: Scene, pictures: Pictures, records: list[Record]
-    ) -> None:
+    def _take_note(self, scene: Scene, pictures: Pictures) -> None:
         if pictures.note:
             self.notes.append(f"{scene.title()}: {pictures.note}")
-        if pictures.by_technique:
-            write_gallery(self.folder, scene, pictures, records)
 
-    def _add(self, records: list[Record], progress: Progress) -> None:
-        self.records.extend(self._with_stand_in(record) for record in records)
-        progress.finish(len(records))
-        self._write()
+    def keep(self, record: Record) -> None:
+        """Keep a row for good, and write all rows if that was not done lately."""
+        record = self._with_stand_in(record)
+        if record.status == OK:
+            self._journal.record(record)
+        self.records.append(record)
+        if time.monotonic() - self._written_s > WRITE_INTERVAL_S:
+            self.write()
+
+    def progress_of(self, run: Run) -> RunProgress:
+        """Return what an earlier run measured of a run that has no row."""
+        return self._measured.of(run)
+
+    @property
+    def journal(self) -> Journal:
+        """Return where what is measured is kept."""
+        return self._journal
 
     def _with_stand_in(self, record: Record) -> Record:
         stands_for = self.study.dataset(record.dataset).stands_for
         return replace(record, stand_in_for=stands_for)
 
-    def _write(self) -> None:
+    def write(self) -> None:
+        """Write the results, in study order."""
+        self._written_s = time.monotonic()
         replaced = {record.run().key(): record for record in self.records}
         order = [run.key() for run in self.study.runs()]
         inside = [replaced.pop(key) for key in order if key in replaced]

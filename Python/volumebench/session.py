@@ -22,33 +22,14 @@ from .start import StartRow, measure_start
 from .study import Run, Scene, Study
 from .techniques import TECHNIQUES
 from .transfer_functions import TransferFunction
-from .view_measure import Contestant, Pictures, measure_view
+from .plugin_file import PLUGIN_NAME
+from .kept_pictures import Pictures
+from .view_measure import Contestant, measure_view
 from .volume_io import PLUGIN_FORMATS, OpenVolume, PluginReaders
 from .volume_io import bytes_of, copy_of, open_volume
+from .watch import Watch
 
-PLUGIN_VARIABLE = "VOLUMEBENCH_PLUGIN"
-PLUGIN_NAME = "VolumeBench"
 _OPENCL = "opencl"
-_REPOSITORY = Path(__file__).resolve().parents[2]
-
-
-def find_plugin(given: str | None) -> Path:
-    """Return the plugin: the argument, the environment variable, or the newest build here."""
-    for text in (given, os.environ.get(PLUGIN_VARIABLE)):
-        if text:
-            if not Path(text).is_file():
-                raise BenchError(f"plugin {text}: no such file")
-            return Path(text)
-    pattern = f"build/*/lib/paraview-*/plugins/{PLUGIN_NAME}/{PLUGIN_NAME}.so"
-    builds = sorted(
-        _REPOSITORY.glob(pattern), key=lambda path: path.stat().st_mtime, reverse=True
-    )
-    if not builds:
-        raise BenchError(
-            f"the plugin {PLUGIN_NAME}.so was not found under build/; build it, or give "
-            f"--plugin FILE or the environment variable {PLUGIN_VARIABLE}"
-        )
-    return builds[0]
 
 
 class Session:
@@ -93,10 +74,10 @@ class Session:
         volume: OpenVolume,
         function: TransferFunction,
         runs: list[Run],
-        report: Any,
+        watch: Watch,
     ) -> tuple[list[Record], Pictures]:
         """Measure the runs of one scene through the benchmark filter."""
-        return run_engine(self._study, volume, function, runs, self._labels, report)
+        return run_engine(self._study, volume, function, runs, self._labels, watch)
 
     def run_stability(
         self, study: StabilityStudy, report: Callable[[float], None]
@@ -109,12 +90,12 @@ class Session:
         volume: OpenVolume,
         function: TransferFunction,
         runs: list[Run],
-        report: Any,
+        watch: Watch,
     ) -> tuple[list[Contestant], Pictures]:
         """Measure the runs of one scene in a render view."""
         stage = ViewStage(volume, function, runs[0].scene, self._study)
         try:
-            return measure_view(stage, runs, self._study, report)
+            return measure_view(stage, runs, self._study, watch)
         finally:
             stage.close()
 
@@ -158,6 +139,11 @@ def plugin_readers() -> PluginReaders:
         extension: partial(_ProxyReader, name)
         for extension, name in PLUGIN_FORMATS.items()
     }
+
+
+def open_session(study: Study, plugin: Path) -> Session:
+    """Return the session of a study; what the worker is told to open."""
+    return Session(study, plugin)
 
 
 def _probe(opencl_is_used: bool) -> tuple[Any, list[str], str | None]:

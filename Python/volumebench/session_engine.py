@@ -3,25 +3,24 @@
 import json
 import math
 import tempfile
-from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-import numpy as np
 from paraview import servermanager, simple
 
 from .errors import BenchError
-from .results import FAILED, UNSUPPORTED, Record, record_of, values_of_row
+from .filter_notes import FilterNotes, earlier_text
+from .results import FAILED, UNSUPPORTED, Record, record_of
 from .session_support import ErrorLog, producer_of, rows_of
 from .study import Run, Study
 from .technique_settings import variant_text
 from .techniques import ENGINE, TECHNIQUES
 from .transfer_functions import TransferFunction
-from .view_measure import Pictures
+from .kept_pictures import Pictures
 from .volume_io import OpenVolume
+from .watch import Watch
 
 FILTER_PROXY = "VolumeBenchmark"
-REFERENCE_FILE = "reference.rgba32f"
 
 
 def run_engine(
@@ -30,21 +29,25 @@ def run_engine(
     function: TransferFunction,
     runs: list[Run],
     labels: list[str],
-    report: Callable[[float], None],
+    watch: Watch,
 ) -> tuple[list[Record], Pictures]:
     """Measure the runs that this build has a technique for; return one record per run."""
     present = [run for run in runs if _is_present(run, labels)]
-    pictures = Pictures()
     measured: dict[Run, Record] = {}
+    pictures = Pictures()
     with tempfile.TemporaryDirectory(prefix="volumebench-") as folder:
         if present:
+            notes = FilterNotes(present, Path(folder), watch)
             rows, reason = _execute(
-                study, volume, function, present, Path(folder), report
+                study, volume, function, present, Path(folder), notes
             )
             for run in present:
                 row = next((row for row in rows if _answers(row, run)), None)
-                measured[run] = _record(run, volume, row, reason)
-                _keep_picture(pictures, run, row, Path(folder))
+                values = notes.values(run, row) if row else _unknown(reason)
+                measured[run] = record_of(
+                    run, volume.dims, volume.scalar_type, **values
+                )
+            pictures = notes.pictures
     return [measured.get(run) or _absent(run, volume) for run in runs], pictures
 
 
@@ -66,7 +69,7 @@ def _execute(
     function: TransferFunction,
     runs: list[Run],
     folder: Path,
-    report: Callable[[float], None],
+    notes: FilterNotes,
 ) -> tuple[list[dict[str, Any]], str]:
     """Execute the filter once for all runs, so that it can measure them in turns.
 
@@ -79,13 +82,14 @@ def _execute(
     bench = maker(Input=producer)
     try:
         _set_properties(bench, study, volume, function, runs)
-        _set_factors(bench, runs)
+        _set_factors(bench, runs, notes.watch)
         # A view shows pictures of its own; the filter's are for studies without one.
         bench.PictureFolder = str(folder) if study.paths == (ENGINE,) else ""
         inner = bench.GetClientSideObject()
         inner.AddObserver(
-            "ProgressEvent", lambda *_: report(inner.GetProgress() * len(runs))
+            "ProgressEvent", lambda *_: notes.watch(inner.GetProgress() * len(runs))
         )
+        inner.AddObserver("UserEvent", notes.take)
         with ErrorLog() as log:
             bench.UpdatePipeline()
         rows = rows_of(inner.GetOutputDataObject(0))
@@ -114,6 +118,7 @@ def _set_properties(
     bench.ColorPoints = [number for point in values.color for number in point]
     bench.ScalarOpacityUnitDistance = values.unit_distance(volume.spacing, volume.dims)
     bench.CameraPath = study.camera.path
+    bench.CameraSeed = study.camera.seed
     bench.Frames = study.camera.frames
     bench.Elevation = study.camera.elevation_degrees
     _set_zoom(bench, study.camera.zoom)
@@ -121,17 +126,19 @@ def _set_properties(
     bench.MinimumFrames = study.timing.minimum_frames
     bench.RelativeNoise = study.timing.relative_noise
     bench.TimeLimit = study.timing.time_limit_s
+    bench.CoolDown = study.timing.cool_down_ms
     bench.ErrorViews = study.error.views
     bench.Reference = study.error.reference
     bench.ReferenceStepVoxels = study.error.reference_step_voxels
     bench.ErrorImageSize = list(study.error.image_size or (0, 0))
 
 
-def _set_factors(bench: Any, runs: list[Run]) -> None:
+def _set_factors(bench: Any, runs: list[Run], watch: Watch) -> None:
     """List every run as a variant, so that the filter measures these and no others."""
     bench.Techniques = list(dict.fromkeys(run.technique for run in runs))
     bench.Variants = [
         variant_text(run.technique, run.integrator, run.step_voxels, run.settings)
+        + earlier_text(run, watch)
         for run in runs
     ]
 
@@ -145,11 +152,8 @@ def _set_zoom(bench: Any, zoom: float) -> None:
         )
 
 
-def _record(
-    run: Run, volume: OpenVolume, row: dict[str, Any] | None, reason: str
-) -> Record:
-    values = values_of_row(row) if row else {"status": FAILED, "reason": reason}
-    return record_of(run, volume.dims, volume.scalar_type, **values)
+def _unknown(reason: str) -> dict[str, Any]:
+    return {"status": FAILED, "reason": reason}
 
 
 def _answers(row: dict[str, Any], run: Run) -> bool:
@@ -162,20 +166,3 @@ def _answers(row: dict[str, Any], run: Run) -> bool:
         return True
     same_step = math.isclose(row["step_voxels"], run.step_voxels, rel_tol=1e-6)
     return same_step and row["integrator"] == run.integrator
-
-
-def _keep_picture(
-    pictures: Pictures, run: Run, row: dict[str, Any] | None, folder: Path
-) -> None:
-    """Keep what the filter drew for the run, and the reference with the first of them."""
-    if not row or not row["picture"]:
-        return
-    shape = (int(row["error.image_size.h"]), int(row["error.image_size.w"]), 4)
-    pictures.keep(run, _read_picture(folder / row["picture"], shape))
-    if not pictures.references:
-        pictures.references = [_read_picture(folder / REFERENCE_FILE, shape)]
-        pictures.label = row["error.reference"]
-
-
-def _read_picture(path: Path, shape: tuple[int, int, int]) -> np.ndarray:
-    return np.fromfile(path, "<f4").reshape(shape)[::-1].copy()

@@ -181,10 +181,11 @@ def read_start(folder: Path) -> list[StartRow]:
     path = folder / FILE
     if not path.is_file():
         return []
-    return [_row_from(values) for values in read_json(path)["rows"]]
+    return [row_from(values) for values in read_json(path)["rows"]]
 
 
-def _row_from(values: dict[str, Any]) -> StartRow:
+def row_from(values: dict[str, Any]) -> StartRow:
+    """Return the row of its JSON object."""
     times = {
         name: Spread(**values[name])
         for name in ("show_ms", "first_ms", "still_ms", "edit_ms")

@@ -43,22 +43,24 @@ class Dataset:
 
 @dataclass(frozen=True)
 class Camera:
-    """One revolution of `frames` pictures about the vertical axis of the volume."""
+    """A path of `frames` pictures; see orbit.py. `seed` is that of path random."""
 
     path: str = "orbit-y"
     frames: int = 36
     elevation_degrees: float = 20.0
     zoom: float = 1.0
+    seed: int = 0
 
 
 @dataclass(frozen=True)
 class Timing:
-    """When to stop measuring frames of one run."""
+    """When to stop measuring frames of one run, and how long to rest before each block of them."""
 
     warm_up_frames: int = 2
     minimum_frames: int = 12
     relative_noise: float = 0.02
     time_limit_s: float = 10.0
+    cool_down_ms: float = 0.0
 
 
 @dataclass(frozen=True)

@@ -12,14 +12,15 @@ import numpy as np
 
 from .error import ImageError
 from .errors import BenchError
+from .kept_pictures import Pictures
 from .measure import StopRule, shuffled
 from .orbit import Bounds, CameraPose, block_frames, error_frame, orbit_pose
-from .results import FAILED, OK, UNSUPPORTED, described_values, times
+from .results import FAILED, OK, UNSUPPORTED, FrameLog, described_values, times
 from .study import CELL_EXACT, FINE_STEPS, Run, Study
-from .summary import STANDARD_STEP_VOXELS
 from .technique_settings import Settings
 from .transfer_functions import TransferFunction
 from .techniques import INTERACTIVE, PARAVIEW, REFERENCE_TECHNIQUE, TECHNIQUES, VIEW
+from .watch import Watch
 
 BLOCK_FRAMES = 4
 # VTK's mapper needs some interactive frames until its automatic step has settled.
@@ -118,6 +119,8 @@ class Contestant:
     run: Run
     rule: StopRule
     blocks: int = 0
+    is_warm: bool = False  # in this process
+    log: FrameLog = field(default_factory=FrameLog)
     status: str = OK
     reason: str | None = None
     error: ImageError = field(default_factory=ImageError)
@@ -128,6 +131,17 @@ class Contestant:
         """Tell whether another block is wanted."""
         return self.status == OK and not self.rule.is_finished()
 
+    def go_on_from(self, log: FrameLog) -> None:
+        """Take over the frames of an earlier measurement."""
+        self.blocks = -(-len(log.ms) // BLOCK_FRAMES)
+        for frame, frame_ms in zip(log.frame, log.ms):
+            self.add(frame, frame_ms)
+
+    def add(self, frame: int, frame_ms: float) -> None:
+        """Take a timed frame."""
+        self.rule.add(frame_ms)
+        self.log.extend(FrameLog([frame], [frame_ms], [None]))
+
     def fail(self, fault: BenchError) -> None:
         """End the run with a reason; the study goes on."""
         self.status = UNSUPPORTED if isinstance(fault, Unsupported) else FAILED
@@ -135,7 +149,7 @@ class Contestant:
 
     def values(self) -> dict:
         """Return what a record holds beyond the run itself."""
-        measured = times(self.rule.frame_ms) if self.status == OK else {}
+        measured = times(self.log) if self.status == OK else {}
         outcome = {"status": self.status, "reason": self.reason, "error": self.error}
         return outcome | measured | self._counts() | described_values(self.description)
 
@@ -152,57 +166,54 @@ class Contestant:
         }
 
 
-@dataclass
-class Pictures:
-    """The reference pictures and one picture per technique, taken at the first view."""
-
-    references: list[np.ndarray] = field(default_factory=list)
-    label: str | None = None
-    uncertainty: float | None = None
-    note: str | None = None
-    by_technique: dict[str, tuple[Run, np.ndarray]] = field(default_factory=dict)
-
-    def keep(self, run: Run, picture: np.ndarray) -> None:
-        """Keep the picture of the run nearest to the standard step, one per technique."""
-        held = self.by_technique.get(run.technique)
-        if held is None or _preference(run) < _preference(held[0]):
-            self.by_technique[run.technique] = (run, picture)
-
-
-def _preference(run: Run) -> tuple[bool, bool, float]:
-    step = run.step_voxels or STANDARD_STEP_VOXELS
-    return (
-        run.path == INTERACTIVE,
-        run.integrator == "Left",
-        abs(step - STANDARD_STEP_VOXELS),
-    )
-
-
 def measure_view(
-    stage: Stage, runs: list[Run], study: Study, report: Callable[[float], None]
+    stage: Stage, runs: list[Run], study: Study, watch: Watch
 ) -> tuple[list[Contestant], Pictures]:
     """Measure all runs in interleaved blocks, then take the error of each."""
     contestants = [Contestant(run, StopRule(study.timing)) for run in runs]
-    turn = 0
-    while still_open := [item for item in contestants if item.is_open()]:
-        for contestant in shuffled(still_open, seed=turn):
-            _guarded(stage, contestant, study, _run_block)
-            report(sum(_share(item, study) for item in contestants))
-        turn += 1
+    for contestant in contestants:
+        contestant.go_on_from(watch.earlier_log(contestant.run))
+    _measure_times(stage, contestants, study, watch)
     for contestant in contestants:
         if contestant.status == OK and _is_counted(contestant.run):
+            watch.begin(contestant.run, "samples")
             _guarded(stage, contestant, study, _count_samples)
     scene = runs[0].scene
     size = study.error_size(scene)
     if size != scene.image_size:
         stage.resize(size)
+    watch.begin(None, "the reference")
     pictures = _reference_pictures(stage, study, size)
+    if pictures.references:
+        watch.reference(pictures)
     for done, contestant in enumerate(contestants):
         if contestant.status == OK and stage.can_capture():
-            take = lambda *given: _take_error(*given, pictures)
+            watch.begin(contestant.run, "pictures")
+            take = lambda *given: _take_error(*given, pictures, watch)
             _guarded(stage, contestant, study, take)
-        report(0.7 * len(runs) + 0.3 * (done + 1))
+        watch.done(contestant.run, contestant.values())
+        watch(0.7 * len(runs) + 0.3 * (done + 1))
     return contestants, pictures
+
+
+def _measure_times(
+    stage: Stage, contestants: list[Contestant], study: Study, watch: Watch
+) -> None:
+    """Let the contestants take turns until each has been measured long enough."""
+    turn = 0
+    while still_open := [item for item in contestants if item.is_open()]:
+        for contestant in shuffled(still_open, seed=turn):
+            watch.begin(contestant.run, "frames")
+            before = len(contestant.log.ms)
+            _guarded(stage, contestant, study, _run_block)
+            if contestant.status == OK:
+                watch.frames(contestant.run, contestant.log.since(before))
+            watch(sum(_share(item, study) for item in contestants))
+        turn += 1
+    for contestant in contestants:
+        if contestant.status == OK and not contestant.is_warm:
+            watch.begin(contestant.run, "frames")
+            _guarded(stage, contestant, study, _describe)  # timed by an earlier process
 
 
 def _is_counted(run: Run) -> bool:
@@ -247,18 +258,27 @@ def _run_block(stage: Stage, contestant: Contestant, study: Study) -> None:
     run, camera = contestant.run, study.camera
     interactive = run.path == INTERACTIVE
     frames = block_frames(contestant.blocks, BLOCK_FRAMES, camera.frames)
+    time.sleep(study.timing.cool_down_ms / 1000)
     stage.show(sampling_of(run, study))
     pose = orbit_pose(frames[0], camera.frames, stage.bounds, camera)
-    warm_up = study.timing.warm_up_frames if contestant.blocks == 0 else 0
+    warm_up = 0 if contestant.is_warm else study.timing.warm_up_frames
     _settle(stage, pose, run.path, warm_up, study)
+    contestant.is_warm = True
     contestant.blocks += 1
     for frame in frames:
         pose = orbit_pose(frame, camera.frames, stage.bounds, camera)
         start_s = time.perf_counter()
         stage.render(pose, interactive)
-        contestant.rule.add((time.perf_counter() - start_s) * 1000)
+        contestant.add(frame, (time.perf_counter() - start_s) * 1000)
         if contestant.rule.spent_s() >= study.timing.time_limit_s:
             break
+    contestant.description = stage.describe()
+
+
+def _describe(stage: Stage, contestant: Contestant, study: Study) -> None:
+    run = contestant.run
+    stage.show(sampling_of(run, study))
+    _settle(stage, _error_pose(stage, study, 0), run.path, 1, study)
     contestant.description = stage.describe()
 
 
@@ -358,7 +378,11 @@ def _error_pose(stage: Stage, study: Study, view: int) -> CameraPose:
 
 
 def _take_error(
-    stage: Stage, contestant: Contestant, study: Study, pictures: Pictures
+    stage: Stage,
+    contestant: Contestant,
+    study: Study,
+    pictures: Pictures,
+    watch: Watch,
 ) -> None:
     """Capture the contestant at the error views and compare it with the references."""
     run = contestant.run
@@ -370,8 +394,8 @@ def _take_error(
         picture = stage.capture()
         if not (picture[..., 3] > 0).any():
             raise BenchError("it drew nothing")
-        if view == 0:
-            pictures.keep(run, picture)
+        if view == 0 and pictures.keep(run, picture):
+            watch.picture(run, picture)
         if pictures.references:
             pairs.append((picture, pictures.references[view]))
     if pairs:

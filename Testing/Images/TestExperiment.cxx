@@ -2,6 +2,7 @@
 #include "Contestant.h"
 #include "EveryTechnique.h"
 #include "Experiment.h"
+#include "SmallExperiment.h"
 #include "Stage.h"
 #include "VtkSampleCounter.h"
 
@@ -10,39 +11,6 @@ using namespace volumebench::test;
 
 namespace
 {
-ExperimentSettings SmallSettings(const std::string& technique)
-{
-  ExperimentSettings settings;
-  settings.Techniques = { technique };
-  settings.Integrators = { 1 };
-  settings.StepsVoxels = { 1.0 };
-  settings.Width = settings.Height = 48;
-  settings.Orbit.FramesPerTurn = 6;
-  settings.Stop.MinimumFrames = 3;
-  settings.Stop.TimeLimitS = 0.5;
-  settings.WarmUpFrames = 1;
-  return settings;
-}
-
-class SmallInput
-{
-public:
-  SmallInput()
-  {
-    this->Input.Image = this->Image;
-    this->Input.ArrayName = "field";
-    this->Input.Property = this->Property;
-  }
-  vtkSmartPointer<vtkImageData> Image = MakeImage(12, 10, 8, Bumpy);
-  vtkSmartPointer<vtkVolumeProperty> Property = BumpyProperty();
-  ContestantInput Input;
-};
-
-bool GoOn(double)
-{
-  return true;
-}
-
 struct RayLengths
 {
   double Sum = 0.0;

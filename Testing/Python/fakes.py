@@ -1,16 +1,17 @@
 """A stage and a session without ParaView: a disc whose error follows step and integrator."""
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 from volumebench.error import ImageError
 from volumebench.errors import BenchError
-from volumebench.results import Context, record_of
+from volumebench.results import Context, FrameLog, record_of, times
 from volumebench.start import StartRow, measure_start
-from volumebench.statistics import spread
-from volumebench.view_measure import Pictures, SampleCount, Sampling, Unsupported
+from volumebench.kept_pictures import Pictures
+from volumebench.view_measure import SampleCount, Sampling, Unsupported
 from volumebench.view_measure import measure_view
+from volumebench.watch import Watch
 
 
 PICTURE_WIDTH = 40  # of the small study
@@ -132,15 +133,20 @@ class FakeSession:
             raise BenchError(self.volume_fault)
         return FakeVolume()
 
-    def run_engine(self, volume, function, runs, report):
+    def run_engine(self, volume, function, runs, watch):
         self.measured += runs
         if self.engine_fault:
             raise RuntimeError(self.engine_fault)
         return [self._record(volume, run) for run in runs], Pictures()
 
-    def run_view(self, volume, function, runs, report):
+    def run_view(self, volume, function, runs, watch):
         self.measured += runs
-        contestants, pictures = measure_view(self.stage, runs, self.study, report)
+        quiet = Watch()  # the times that are told are not the made-up ones
+        contestants, pictures = measure_view(self.stage, runs, self.study, quiet)
+        for run, picture in pictures.by_technique.values():
+            watch.picture(run, picture)
+        if pictures.references:
+            watch.reference(pictures)
         return [self._with_time(item) for item in contestants], pictures
 
     def run_start(self, volume, function, report):
@@ -149,15 +155,16 @@ class FakeSession:
         return [StartRow("shell", volume.dims, "uint16", **values) for values in found]
 
     def _with_time(self, contestant):
-        contestant.rule.frame_ms = [frame_ms(contestant.run) + i for i in range(4)]
+        contestant.log = fake_log(contestant.run)
         return contestant
 
     def _record(self, volume, run):
-        times = spread([frame_ms(run) + i for i in range(4)])
-        record = record_of(
-            run, volume.dims, volume.scalar_type, frames=4, frame_ms=times
-        )
-        return replace(record, fps=1000 / times.median)
+        values = times(fake_log(run))
+        return record_of(run, volume.dims, volume.scalar_type, **values)
+
+
+def fake_log(run) -> FrameLog:
+    return FrameLog([0, 1, 2, 3], [frame_ms(run) + i for i in range(4)], [None] * 4)
 
 
 def frame_ms(run) -> float:

@@ -13,7 +13,14 @@ from volumebench.calibration import (
 )
 from volumebench.errors import BenchError
 from volumebench.progress import Progress
-from volumebench.results import Context, read_results, record_of, times, write_results
+from volumebench.results import (
+    Context,
+    FrameLog,
+    read_results,
+    record_of,
+    times,
+    write_results,
+)
 from volumebench.runner import Runner, find_inputs, prepare_folder
 from volumebench.study import Timing
 
@@ -65,7 +72,7 @@ def context(file):
 
 def row_of(study, technique, scalar_type, samples, ms):
     run = replace(study.runs()[0], technique=technique)
-    measured = times([ms])
+    measured = times(FrameLog([0], [ms], [None]))
     return record_of(run, None, scalar_type, samples_taken=samples, **measured)
 
 

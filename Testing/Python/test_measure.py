@@ -8,6 +8,7 @@ from volumebench.orbit import block_frames, error_frame, orbit_pose
 from volumebench.statistics import quantile, relative_noise_of_mean, spread
 from volumebench.study import Camera, Timing
 
+HALF = math.sqrt(0.5)
 BOX = (0, 10, 0, 20, 0, 20)
 
 
@@ -71,6 +72,50 @@ def test_orbit_starts_at_z_and_turns_to_x():
     assert start[0] == pytest.approx(5) and start[2] > 10
     assert quarter[2] == pytest.approx(10) and quarter[0] > 5
     assert orbit_pose(4, 4, BOX, camera).position == pytest.approx(start)
+
+
+def standpoint(path, frame, elevation=0, seed=0, frames=4):
+    """Return direction at length 1, and up."""
+    camera = Camera(path, frames, elevation, 1, seed)
+    pose = orbit_pose(frame, frames, BOX, camera)
+    distance = math.dist((0, 0, 0), (10, 20, 20)) / 2 / math.sin(math.radians(15))
+    offset = (a - b for a, b in zip(pose.position, pose.focal_point))
+    return [part / distance for part in offset], pose.view_up
+
+
+# The same numbers stand in Testing/Unit/TestOrbit.cxx: both must take the same path.
+@pytest.mark.parametrize(
+    "arguments, direction, view_up",
+    [
+        (("orbit-x", 0), (0, 0, 1), (0, 1, 0)),
+        (("orbit-x", 1), (0, 1, 0), (0, 0, -1)),
+        (("orbit-x", 1, 30), (0.5, math.sqrt(0.75), 0), (0, 0, -1)),
+        (("orbit-diagonal", 0), (0, 0, 1), (HALF, HALF, 0)),
+        (("orbit-diagonal", 1), (HALF, -HALF, 0), (HALF, HALF, 0)),
+        (
+            ("random", 0, 0, 7, 36),
+            (0.528310536855, 0.475411236409, 0.703471486944),
+            (0, 1, 0),
+        ),
+        (
+            ("random", 5, 0, 7, 36),
+            (0.042180250344, -0.684248482334, 0.728028049531),
+            (0, 1, 0),
+        ),
+    ],
+)
+def test_other_paths(arguments, direction, view_up):
+    found, up = standpoint(*arguments)
+    assert found == pytest.approx(direction, abs=1e-9)
+    assert up == pytest.approx(view_up, abs=1e-9)
+
+
+def test_in_and_out_halves_the_distance_in_the_middle():
+    def distance(frame):
+        return math.dist(standpoint("in-and-out", frame, frames=8)[0], (0, 0, 0))
+
+    assert [distance(frame) for frame in (0, 2, 4)] == pytest.approx([1, 2 / 3, 0.5])
+    assert distance(7) == pytest.approx(distance(1))
 
 
 def test_a_block_is_spread_over_the_revolution():

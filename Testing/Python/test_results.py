@@ -10,7 +10,9 @@ from fakes import FakeSession
 from volumebench.error import ImageError
 from volumebench.errors import BenchError
 from volumebench.json_file import make_writable_folder, write_atomically
+from volumebench.statistics import Spread
 from volumebench.results import (
+    FrameLog,
     Context,
     as_csv,
     check_same_settings,
@@ -38,6 +40,7 @@ RUN_KEYS = [
     ),
     *(
         "fps",
+        "frame_log",
         "setup_ms",
         "stages_ms",
         "samples_taken",
@@ -128,9 +131,11 @@ def test_record_knows_its_run(study, records):
 
 
 def test_times():
-    values = times([10.0, 20.0, 40.0])
-    assert values["frames"] == 3 and values["fps"] == 50
-    assert times([]) == {"frames": None, "frame_ms": times([])["frame_ms"], "fps": None}
+    log = FrameLog([0, 3, 6], [10.0, 20.0, 40.0], [None, 1.0, 2.0])
+    values = times(log)
+    assert values["frames"] == 3 and values["fps"] == 50 and values["frame_log"] == log
+    nothing = {"frames": None, "frame_ms": Spread(), "fps": None, "frame_log": None}
+    assert times(FrameLog()) == nothing
 
 
 def test_csv_has_dotted_columns_and_empty_cells(records):

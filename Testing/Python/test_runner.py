@@ -30,6 +30,7 @@ def run_study(study, folder, session=None, resume=False):
     )
     session = session or FakeSession(study)
     runner.measure(session, Progress(len(runner.missing), io.StringIO()))
+    runner.close()
     return runner, session
 
 

@@ -9,6 +9,7 @@ from volumebench.results import FAILED, OK, UNSUPPORTED
 from volumebench.study import ErrorSettings, Timing
 from volumebench.view_measure import BLOCK_FRAMES, SETTLE_FRAMES, SampleCount
 from volumebench.view_measure import measure_view, sample_count
+from volumebench.watch import Watch
 
 
 @pytest.fixture
@@ -23,7 +24,7 @@ def calm(study):
 def measured(stage, study, **changes):
     study = replace(study, **changes)
     runs = [run for run in study.runs() if run.path != "engine"]
-    contestants, pictures = measure_view(stage, runs, study, lambda share: None)
+    contestants, pictures = measure_view(stage, runs, study, Watch())
     return {contestant.run: contestant for contestant in contestants}, pictures
 
 

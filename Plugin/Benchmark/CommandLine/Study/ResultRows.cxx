@@ -109,9 +109,9 @@ Json Unmeasured(const Study& study, const StudyRun& run, const OpenVolume* volum
     { "stand_in_for", study.Dataset(run.Scene.Dataset).value("stands_for", Json()) },
     { "features", nullptr }, { "left_out", nullptr }, { "status", "failed" }, { "reason", nullptr },
     { "frames", nullptr }, { "frame_ms", spread }, { "gpu_ms", spread }, { "fps", nullptr },
-    { "setup_ms", Nulls({ "upload", "tables", "grid", "compile" }) }, { "stages_ms", nullptr },
-    { "samples_taken", nullptr }, { "samples_skipped", nullptr }, { "rays_terminated", nullptr },
-    { "bytes_on_device", nullptr },
+    { "frame_log", nullptr }, { "setup_ms", Nulls({ "upload", "tables", "grid", "compile" }) },
+    { "stages_ms", nullptr }, { "samples_taken", nullptr }, { "samples_skipped", nullptr },
+    { "rays_terminated", nullptr }, { "bytes_on_device", nullptr },
     { "error",
       Nulls({ "rmse", "linf", "p999", "psnr", "mean", "ssim", "delta_e_over_1_percent", "flip_mean",
         "flip_p99", "reference", "reference_uncertainty", "image_size" }) } };
@@ -140,6 +140,7 @@ void FillMeasured(const TableRow& row, Json& record)
   record["gpu_ms"] = row.Spread("gpu_ms");
   record["fps"] = row.Number("fps");
   record["setup_ms"] = row.Numbers("setup_ms", { "upload", "tables", "grid", "compile" });
+  record["frame_log"] = row.Object("frame_log");
   record["stages_ms"] = row.Object("stages_ms");
   for (const char* key :
     { "frames", "samples_taken", "samples_skipped", "rays_terminated", "bytes_on_device" })

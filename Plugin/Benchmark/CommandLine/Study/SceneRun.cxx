@@ -71,6 +71,7 @@ void SetMethod(vtkVolumeBenchmark* bench, const Json& document)
 {
   const Json& camera = document["camera"];
   bench->SetCameraPath(camera["path"].get<std::string>().c_str());
+  bench->SetCameraSeed(camera["seed"]);
   bench->SetFrames(camera["frames"]);
   bench->SetElevation(camera["elevation_degrees"]);
   bench->SetZoom(camera["zoom"]);
@@ -79,6 +80,7 @@ void SetMethod(vtkVolumeBenchmark* bench, const Json& document)
   bench->SetMinimumFrames(timing["minimum_frames"]);
   bench->SetRelativeNoise(timing["relative_noise"]);
   bench->SetTimeLimit(timing["time_limit_s"]);
+  bench->SetCoolDown(timing["cool_down_ms"]);
   const Json& error = document["error"];
   bench->SetErrorViews(error["views"]);
   bench->SetReference(error["reference"] == "Fine Steps" ? ReferenceNames().NumberOf("Fine Steps")

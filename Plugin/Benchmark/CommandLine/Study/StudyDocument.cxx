@@ -20,9 +20,10 @@ const Json& Defaults()
     "technique_settings_scenes": [],
     "sweeps": [],
     "paths": ["engine", "view", "interactive"],
-    "camera": {"path": "orbit-y", "frames": 36, "elevation_degrees": 20.0, "zoom": 1.0},
+    "camera": {"path": "orbit-y", "frames": 36, "elevation_degrees": 20.0, "zoom": 1.0,
+      "seed": 0},
     "timing": {"warm_up_frames": 2, "minimum_frames": 12, "relative_noise": 0.02,
-      "time_limit_s": 10.0},
+      "time_limit_s": 10.0, "cool_down_ms": 0.0},
     "error": {"views": 2, "reference": "Cell Exact", "reference_step_voxels": 0.03125,
       "image_size": null},
     "termination_threshold": 0.001,
@@ -153,10 +154,10 @@ void ChooseDatasets(const Json& names, const Json& document, Json& quick, const 
 
 bool IsStudyKey(const std::string& key)
 {
-  // The last four: the shorter study, what the report makes of the rows, and first pictures, which
+  // The last five: the shorter study, what the report makes of the rows, and first pictures, which
   // are those of ParaView's views.
   const char* others[] = { "schema", "name", "datasets", "transfer_functions", "techniques",
-    "quick", "report", "series", "start" };
+    "quick", "report", "series", "paper", "start" };
   return Defaults().contains(key) ||
     std::find(std::begin(others), std::end(others), key) != std::end(others);
 }
