@@ -6,6 +6,8 @@ import sys
 from pathlib import Path
 
 from .calibration import ceiling_table, load_calibration
+from .compare import change_tables, compare_files, summary_of
+from .compare_output import write_comparison
 from .datasets import fitting_memory, free_memory_gb, with_stand_ins
 from .errors import BenchError
 from .findings import findings_of
@@ -42,7 +44,12 @@ def parse(arguments: list[str] | None) -> argparse.Namespace:
         description="Measure image error against run time of volume rendering techniques.",
     )
     add = parser.add_argument
-    add("study", metavar="STUDY", help="a file, or a name under Python/Studies")
+    add(
+        "study",
+        metavar="STUDY",
+        nargs="?",
+        help="a file, or a name under Python/Studies",
+    )
     add(
         "--quick",
         action="store_true",
@@ -51,6 +58,14 @@ def parse(arguments: list[str] | None) -> argparse.Namespace:
     add("--out", type=Path, metavar="DIR", help="default: Results/NAME")
     add("--data", type=Path, metavar="DIR", help="folder with more volumes")
     add("--techniques", metavar="A,B", help="these techniques in place of the study's")
+    add(
+        "--compare",
+        nargs=2,
+        type=Path,
+        metavar=("OLD", "NEW"),
+        help="measure nothing: tell what changed between two results.json; exit code 1 says "
+        "that something became worse beyond noise",
+    )
     add("--resume", action="store_true", help="keep the rows of an earlier run")
     add(
         "--calibration",
@@ -66,7 +81,10 @@ def parse(arguments: list[str] | None) -> argparse.Namespace:
         help="a run that gives no sign of life for so long is given up (default: %(default)g)",
     )
     add("--plugin", metavar="FILE", help="the plugin, if not the one built here")
-    return parser.parse_args(arguments)
+    options = parser.parse_args(arguments)
+    if (options.study is None) == (options.compare is None):
+        parser.error("give either STUDY or --compare OLD NEW")
+    return options
 
 
 def _seconds(text: str) -> float:
@@ -97,8 +115,23 @@ def folder_of(options: argparse.Namespace, name: str) -> Path:
     return options.out or Path("Results") / f"{name}{suffix}"
 
 
+def run_comparison(options: argparse.Namespace) -> int:
+    """Tell what changed between two results; return the exit code."""
+    old, new = options.compare
+    comparison = compare_files(old, new)
+    folder = options.out or new.parent / "compare"
+    write_comparison(folder, comparison, f"{new} against {old}")
+    print("\n".join(summary_of(comparison)))
+    for table in change_tables(comparison):
+        print(as_text(table))
+    print(folder / "compare.html")
+    return 1 if comparison.is_regression() else 0
+
+
 def run(options: argparse.Namespace) -> int:
     """Measure the study and write everything; return the exit code."""
+    if options.compare is not None:
+        return run_comparison(options)
     if is_stability_study(find_study(options.study)):
         return try_stability(options)
     study = study_of(options)

@@ -1,5 +1,6 @@
 """Figures of a study: frames per second, and image error against time with one curve each."""
 
+import base64
 from pathlib import Path
 from typing import Any
 
@@ -10,7 +11,7 @@ import matplotlib.pyplot as plt  # noqa: E402
 from matplotlib.ticker import FuncFormatter, LogLocator  # noqa: E402
 
 from .error import EIGHT_BIT_RMSE  # noqa: E402
-from .errors import BenchError  # noqa: E402
+from .errors import OutputError  # noqa: E402
 from .plot_style import COLORS, PATH_TITLES, PEER_COLOR, STYLE  # noqa: E402
 from .results import OK, Record  # noqa: E402
 from .study import Scene  # noqa: E402
@@ -56,13 +57,20 @@ def write_plots(folder: Path, records: list[Record], swept: bool = False) -> Non
                 save_figure(_fps_figure(rows), target / fps_plot_file(scene))
 
 
+def inlined(path: Path) -> str:
+    """Return a picture as the address of itself."""
+    content = base64.b64encode(path.read_bytes()).decode("ascii")
+    return f"data:image/png;base64,{content}"
+
+
 def save_figure(figure: Any, path: Path) -> None:
-    """Write a figure as PNG and close it."""
+    """Write a figure as PNG and as SVG beside it, and close it."""
     try:
         path.parent.mkdir(exist_ok=True)
-        figure.savefig(path, bbox_inches="tight", facecolor="white")
+        for file in (path, path.with_suffix(".svg")):
+            figure.savefig(file, bbox_inches="tight", facecolor="white")
     except OSError as fault:
-        raise BenchError(f"{path}: cannot be written: {fault.strerror}") from None
+        raise OutputError(f"{path}: cannot be written: {fault.strerror}") from None
     finally:
         plt.close(figure)
 

@@ -29,4 +29,5 @@ STYLE = {
     "grid.color": "#e4e6ea",
     "legend.frameon": False,
     "figure.dpi": 130,
+    "svg.hashsalt": "volumebench",  # the same figure is the same file
 }

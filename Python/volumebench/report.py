@@ -1,6 +1,5 @@
 """A self-contained report.html: figures, tables, pictures and failures, readable offline."""
 
-import base64
 from dataclasses import asdict
 from html import escape
 from pathlib import Path
@@ -9,10 +8,11 @@ from .calibration import ceiling_table
 from .findings import Findings
 from .gallery import FOLDER as PICTURE_FOLDER
 from .gallery import Gallery, read_galleries
+from .html_table import html_table
 from .json_file import write_atomically
 from .page import head, page
 from .plot import FOLDER as PLOT_FOLDER
-from .plot import error_plot_file, fps_plot_file
+from .plot import error_plot_file, fps_plot_file, inlined
 from .plot_style import PATH_TITLES
 from .report_style import HOW_CEILINGS_ARE_READ, HOW_TO_READ
 from .results import Context, Record
@@ -31,7 +31,7 @@ from .summary import (
     scene_remarks,
     scenes_of,
 )
-from .tables import Table, setting_tables, slow_table, stage_table
+from .tables import setting_tables, slow_table, stage_table
 from .techniques import REFERENCE_TECHNIQUE, TECHNIQUES
 
 UNEQUAL = (
@@ -105,7 +105,7 @@ def _findings(folder: Path, findings: Findings | None) -> str:
     figures = "".join(
         _figure(folder / PLOT_FOLDER / name, title) for name, title in findings.figures
     )
-    tables = "".join(map(_table, findings.given_tables()))
+    tables = "".join(map(html_table, findings.given_tables()))
     return (
         f'<section><p class="lead">{escape(findings.sentence)}</p>{figures}{tables}'
         f"<ul>{remarks}</ul>{findings.how_to_read}</section>"
@@ -208,31 +208,12 @@ def _scene_section(
         _figure(folder / PLOT_FOLDER / error_plot_file(scene), "Error against time"),
         _pictures(folder, gallery),
         _figure(folder / PLOT_FOLDER / fps_plot_file(scene), "Frames per second"),
-        *(_table(table) for table in setting_tables(rows)),
-        _table(stage_table(rows)),
+        *(html_table(table) for table in setting_tables(rows)),
+        html_table(stage_table(rows)),
         _all_rows(measured),
         "</section>",
     ]
     return "".join(parts)
-
-
-def _table(table: Table | None) -> str:
-    if table is None:
-        return ""
-
-    def row(cells: tuple[str, ...], tag: str) -> str:
-        return "".join(
-            f"<{tag}>{escape(cell)}</{tag}>"
-            if column < table.words
-            else f'<{tag} class="n">{escape(cell)}</{tag}>'
-            for column, cell in enumerate(cells)
-        )
-
-    body = "".join(f"<tr>{row(cells, 'td')}</tr>" for cells in table.rows)
-    return (
-        f'<h3>{escape(table.title)}</h3><div class="wide"><table><thead>'
-        f"<tr>{row(table.header, 'th')}</tr></thead><tbody>{body}</tbody></table></div>"
-    )
 
 
 def _all_rows(measured: list[Line]) -> str:
@@ -245,13 +226,7 @@ def _all_rows(measured: list[Line]) -> str:
 def _figure(path: Path, title: str) -> str:
     if not path.is_file():
         return ""
-    return f'<img class="plot" alt="{escape(title)}" src="{_inlined(path)}">'
-
-
-def _inlined(path: Path) -> str:
-    return "data:image/png;base64," + base64.b64encode(path.read_bytes()).decode(
-        "ascii"
-    )
+    return f'<img class="plot" alt="{escape(title)}" src="{inlined(path)}">'
 
 
 def _pictures(folder: Path, gallery: Gallery | None) -> str:
@@ -276,14 +251,14 @@ def _card_image(folder: Path, name: str, title: str) -> str:
     path = folder / PICTURE_FOLDER / name
     if not path.is_file():
         return ""
-    return f'<img alt="{escape(title)}" src="{_inlined(path)}">'
+    return f'<img alt="{escape(title)}" src="{inlined(path)}">'
 
 
 def _ceilings(context: Context, records: list[Record]) -> str:
     table = ceiling_table(context, records)
     if table is None:
         return ""
-    return f"<section><h2>Ceilings of the machine</h2>{_table(table)}{HOW_CEILINGS_ARE_READ}</section>"
+    return f"<section><h2>Ceilings of the machine</h2>{html_table(table)}{HOW_CEILINGS_ARE_READ}</section>"
 
 
 def _notes(study: Study, records: list[Record]) -> str:
@@ -295,7 +270,7 @@ def _notes(study: Study, records: list[Record]) -> str:
         f"times as long as that of {title} in a scene, at the same sampling, is told here with "
         "its samples and stages, which say where the time goes.</p>"
         f"{f'<ul>{items}</ul>' if items else '<p>There is none.</p>'}"
-        f"{_table(slow_table(records))}</section>"
+        f"{html_table(slow_table(records))}</section>"
     )
 
 

@@ -18,7 +18,8 @@ from .study import COMPOSITE, Scene, Study
 from .technique_settings import TECHNIQUE_SETTINGS
 from .techniques import TECHNIQUES
 from .transfer_functions import TransferFunction
-from .view_measure import SampleCount, Sampling, Unsupported, sample_count
+from .sample_counts import SampleCount, sample_count
+from .view_measure import Sampling, Unsupported
 from .volume_io import OpenVolume
 
 CAPTURE_PROXY = "VolumeBenchmarkViewCapture"

@@ -14,6 +14,7 @@ from .error import ImageError
 from .errors import BenchError
 from .kept_pictures import Pictures
 from .measure import StopRule, shuffled
+from .sample_counts import SampleCount, mean_count
 from .orbit import Bounds, CameraPose, block_frames, error_frame, orbit_pose
 from .results import FAILED, OK, UNSUPPORTED, FrameLog, described_values, times
 from .study import CELL_EXACT, FINE_STEPS, Run, Study
@@ -48,15 +49,6 @@ class Sampling:
     termination_threshold: float
     settings: Settings = ()
     reference_method: str | None = None
-
-
-@dataclass(frozen=True)
-class SampleCount:
-    """Of one picture or, as means, of several; a peer tells neither of the last two."""
-
-    taken: float
-    skipped: float | None = None
-    rays_terminated: float | None = None
 
 
 class Stage(Protocol):
@@ -99,17 +91,6 @@ class Stage(Protocol):
 
     def close(self) -> None:
         ...
-
-
-def sample_count(picture: np.ndarray, peer: bool) -> SampleCount | None:
-    """Return the sums over a picture of counts; None if it holds anything but counts."""
-    counts = picture[..., :3].astype(np.float64)
-    if peer:
-        counts = counts[..., :1]
-    if not (np.isfinite(counts).all() and (counts == np.floor(counts)).all()):
-        return None
-    sums = counts.sum(axis=(0, 1))
-    return SampleCount(*map(float, sums)) if sums[:2].any() else None
 
 
 @dataclass
@@ -308,15 +289,7 @@ def _count_samples(stage: Stage, contestant: Contestant, study: Study) -> None:
             stage.place(pose)  # ours adapts nothing over frames
         counts.append(stage.count_samples())
     if None not in counts:
-        contestant.samples = _mean_count(counts)
-
-
-def _mean_count(counts: list[SampleCount]) -> SampleCount:
-    def mean(name: str) -> float | None:
-        values = [getattr(count, name) for count in counts]
-        return None if None in values else sum(values) / len(values)
-
-    return SampleCount(mean("taken"), mean("skipped"), mean("rays_terminated"))
+        contestant.samples = mean_count(counts)
 
 
 def _reference_pictures(stage: Stage, study: Study, size: tuple[int, int]) -> Pictures:

@@ -9,7 +9,8 @@ from volumebench.errors import BenchError
 from volumebench.results import Context, FrameLog, record_of, times
 from volumebench.start import StartRow, measure_start
 from volumebench.kept_pictures import Pictures
-from volumebench.view_measure import SampleCount, Sampling, Unsupported
+from volumebench.sample_counts import SampleCount
+from volumebench.view_measure import Sampling, Unsupported
 from volumebench.view_measure import measure_view
 from volumebench.watch import Watch
 

@@ -7,8 +7,9 @@ import pytest
 from fakes import CHECK_ERROR, FakeStage
 from volumebench.results import FAILED, OK, UNSUPPORTED
 from volumebench.study import ErrorSettings, Timing
-from volumebench.view_measure import BLOCK_FRAMES, SETTLE_FRAMES, SampleCount
-from volumebench.view_measure import measure_view, sample_count
+from volumebench.sample_counts import SampleCount, sample_count
+from volumebench.view_measure import BLOCK_FRAMES, SETTLE_FRAMES
+from volumebench.view_measure import measure_view
 from volumebench.watch import Watch
 
 
