@@ -90,6 +90,12 @@ const NameTable& OpenClStorageNames()
   return names;
 }
 
+const NameTable& RaySetUpNames()
+{
+  static const NameTable names("ray set-up", { { "Box", 0 }, { "Rasterised", 1 } });
+  return names;
+}
+
 const NameTable& SliceExtentNames()
 {
   static const NameTable names(

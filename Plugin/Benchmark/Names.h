@@ -42,6 +42,7 @@ VOLUMEBENCHBENCHMARK_EXPORT const NameTable& BlendModeNames();
 VOLUMEBENCHBENCHMARK_EXPORT const NameTable& CameraPathNames(); // numbers of CameraPath
 VOLUMEBENCHBENCHMARK_EXPORT const NameTable& ReferenceNames();
 VOLUMEBENCHBENCHMARK_EXPORT const NameTable& OpenClStorageNames();
+VOLUMEBENCHBENCHMARK_EXPORT const NameTable& RaySetUpNames();
 VOLUMEBENCHBENCHMARK_EXPORT const NameTable& SliceExtentNames();
 VOLUMEBENCHBENCHMARK_EXPORT const NameTable& SliceTargetNames();
 VOLUMEBENCHBENCHMARK_EXPORT const NameTable& SliceOrderNames();

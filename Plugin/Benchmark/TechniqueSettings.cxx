@@ -134,6 +134,9 @@ const SettingRow Rows[] = {
   { "macrocell_voxels", true,
     [](TechniqueSettings& s, const std::string& text)
     { s.MacrocellVoxels = CountOf("macrocell_voxels", text); } },
+  { "ray_set_up", false,
+    [](TechniqueSettings& s, const std::string& text)
+    { s.RaySetUp = RaySetUpNames().NumberOf(text); } },
   { "work_group_shape", false,
     [](TechniqueSettings& s, const std::string& text) { s.WorkGroupShape = text; } },
   { "opencl_device", false,
@@ -255,6 +258,10 @@ void ApplySettings(const TechniqueSettings& settings, vtkVolumeBenchMapper& mapp
   mapper.SetTableSize(settings.TableSize);
   mapper.SetSkipping(settings.Skipping);
   mapper.SetMacrocellVoxels(settings.MacrocellVoxels);
+  if (settings.RaySetUp >= 0)
+  {
+    mapper.SetRaySetUp(settings.RaySetUp);
+  }
   mapper.SetWorkGroupShape(settings.WorkGroupShape.c_str());
   mapper.SetOpenClDevice(settings.OpenClDevice.c_str());
   mapper.SetOpenClStorage(settings.OpenClStorage);

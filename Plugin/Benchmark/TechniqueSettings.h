@@ -22,6 +22,7 @@ struct TechniqueSettings
   int TableSize = 0;
   bool Skipping = true;
   int MacrocellVoxels = 0;
+  int RaySetUp = -1; // -1: the experiment's
   std::string WorkGroupShape = "Auto";
   std::string OpenClDevice = "Auto";
   int OpenClStorage = 0;
@@ -59,8 +60,8 @@ struct Variant
 
 /// Reads "ID; name=value; name=value" with the names integrator, step_voxels,
 /// termination_threshold, skipping (true or false), macrocell_voxels, jitter (true or false),
-/// jitter_seed, table_size, work_group_shape, opencl_device,
-/// opencl_storage, slice_extent, slice_threads, slice_target, slice_order and, for peers,
+/// jitter_seed, table_size, ray_set_up, work_group_shape, opencl_device, opencl_storage,
+/// slice_extent, slice_threads, slice_target, slice_order and, for peers,
 /// sample_distance_voxels. Of an earlier measurement: frames_ms and frames_gpu_ms (numbers with
 /// spaces between), error_known. Throws std::runtime_error that quotes what it cannot read.
 VOLUMEBENCHBENCHMARK_EXPORT Variant ParseVariant(const std::string& text);

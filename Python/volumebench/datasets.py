@@ -52,7 +52,10 @@ def with_stand_ins(study: Study, data_folder: Path | None) -> Study:
     """Return the study with generated volumes in place of those that have no file here."""
     stand_ins = {
         dataset.name: replace(
-            dataset, name=dataset.otherwise, otherwise=None, stands_for=dataset.name
+            dataset,
+            name=dataset.otherwise,
+            otherwise=None,
+            stands_for=dataset.name,
         )
         for dataset in study.datasets
         if dataset.otherwise and find_file(dataset.name, data_folder) is None
@@ -97,7 +100,8 @@ def find_file(name: str, data_folder: Path | None) -> Path | None:
 def find_volume(dataset: Dataset, data_folder: Path | None, cache: Path) -> VolumeFile:
     """Return the file of a dataset; a generated one is written into the cache folder."""
     name = dataset.name
-    if dataset.generator or name in GENERATORS:
+    is_stand_in = dataset.otherwise is None and dataset.generator
+    if is_stand_in or name in GENERATORS:
         return VolumeFile(name, write_volume(_generator(dataset), cache))
     path = find_file(name, data_folder)
     if path is not None:

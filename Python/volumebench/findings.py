@@ -7,9 +7,13 @@ from typing import Any
 
 import matplotlib.pyplot as plt
 
+from .paper import verdicts
+from .paper_plot import paper_figures
+from .paper_tables import conclusion_table, paper_sentence, published_tables
 from .plot import FOLDER, save_figure
 from .plot_style import STYLE
 from .report_style import (
+    HOW_PAPERS_ARE_READ,
     HOW_SCALING_IS_READ,
     HOW_SPEED_IS_READ,
     HOW_SWEEPS_ARE_READ,
@@ -60,6 +64,8 @@ def findings_of(
     study: Study, records: list[Record], start_rows: list[StartRow], folder: Path
 ) -> Findings | None:
     """Return what the study tells, with its figures written; None of one without sweeps."""
+    if study.paper is not None:
+        return _paper(study, records, folder)
     if study.report == SPEED:
         return _speed(records, start_rows, folder)
     if study.report == SCALING:
@@ -90,6 +96,18 @@ def _speed(records: list[Record], start_rows: list[StartRow], folder: Path) -> F
         tuple(remarks),
         HOW_SPEED_IS_READ,
         figures,
+    )
+
+
+def _paper(study: Study, records: list[Record], folder: Path) -> Findings:
+    found = verdicts(study.paper, records)
+    tables = [conclusion_table(found), *published_tables(study.paper, records)]
+    return Findings(
+        paper_sentence(study.paper, found),
+        tuple(tables),
+        (),
+        HOW_PAPERS_ARE_READ,
+        _written(folder, paper_figures(study, records)),
     )
 
 

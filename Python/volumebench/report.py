@@ -317,6 +317,9 @@ def _size_text(size: tuple[int, int] | None) -> str:
 
 
 def _lighting_text(study: Study) -> str:
-    if not study.lighting:
+    if not any(study.lighting):
         return "none"
-    return f"gradient shading, damping {study.lighting_damping:g}"
+    return (
+        "with and without " * (len(study.lighting) > 1)
+        + f"gradient shading, damping {study.lighting_damping:g}"
+    )

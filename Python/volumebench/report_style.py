@@ -83,6 +83,16 @@ copy of the data. An edit makes all opacities a tenth lower, or as they were. Up
 compile are what our mapper says of that frame; of ParaView's it is not known.</small></p>
 """
 
+HOW_PAPERS_ARE_READ = """
+<p><small>Times of other hardware are not a target: what is tested is who wins, by which factor, and where
+techniques cross. A conclusion rests on the ratio of frame times of rows that differ in nothing else
+(of several variants the fastest), as the geometric mean over all such pairs; the interval is a 95 %
+bootstrap over the frames. It <b>holds</b> where the whole interval meets the paper's claim, <b>does not
+hold</b> where the whole interval contradicts it, is <b>undecided</b> in between, and <b>not run</b> where this
+machine or this cut of the study lacks the rows. Generated volumes stand in for those that are not
+public, and are named as such.</small></p>
+"""
+
 HOW_SCALING_IS_READ = """
 <p><small>A quantity y over a factor x is fitted by y = a x<sup>b</sup>, least squares in log-log; the
 exponent b stands with its 95 % interval (Student's t), without one where there are two points only.

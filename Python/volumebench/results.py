@@ -88,6 +88,7 @@ class Record:
     view: str
     path: str
     settings: dict[str, Any] = field(default_factory=dict)
+    lighting: bool = False
     stand_in_for: str | None = None
     features: tuple[str, ...] | None = None
     left_out: tuple[str, ...] | None = None
@@ -109,7 +110,13 @@ class Record:
     def run(self) -> Run:
         """Return the run that this row answers."""
         blending = self.blend_mode or COMPOSITE
-        scene = Scene(self.dataset, self.transfer_function, self.image_size, blending)
+        scene = Scene(
+            self.dataset,
+            self.transfer_function,
+            self.image_size,
+            blending,
+            self.lighting,
+        )
         return Run(
             self.study,
             scene,
@@ -141,6 +148,7 @@ def record_of(
         view=run.view,
         path=run.path,
         settings=dict(run.settings),
+        lighting=scene.lighting,
         **values,
     )
 

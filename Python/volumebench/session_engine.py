@@ -112,7 +112,7 @@ def _set_properties(
     bench.TerminationThreshold = study.termination_threshold
     bench.RaySetUp = study.ray_set_up
     bench.BlendMode = runs[0].scene.blend_mode
-    bench.Shade = int(study.lighting)
+    bench.Shade = int(runs[0].scene.lighting)
     bench.LightingDamping = study.lighting_damping
     bench.OpacityPoints = [number for point in values.opacity for number in point]
     bench.ColorPoints = [number for point in values.color for number in point]

@@ -73,11 +73,11 @@ class ViewStage:
         self._shown = sampling.technique
         if not TECHNIQUES[sampling.technique].peer:
             display = self._displays[sampling.technique]
+            display.RaySetUp = self._study.ray_set_up
             self._set_settings(display, sampling)
             display.Integrator = sampling.integrator
             display.StepVoxels = sampling.step_voxels
             display.TerminationThreshold = sampling.termination_threshold
-            display.RaySetUp = self._study.ray_set_up
             if sampling.reference_method is not None:
                 _set(display, "ReferenceMethod", sampling.reference_method)
 
@@ -198,7 +198,7 @@ class ViewStage:
         display.SetRepresentationType(label)
         simple.ColorBy(display, ("POINTS", self._volume.array))
         display.SetScalarBarVisibility(self._view, False)
-        display.Shade = int(self._study.lighting)
+        display.Shade = int(self._scene.lighting)
         display.ScalarOpacityUnitDistance = self._function.unit_distance(
             self._volume.spacing, self._volume.dims
         )

@@ -78,23 +78,26 @@ class ErrorSettings:
 
 @dataclass(frozen=True)
 class Scene:
-    """What is looked at: a volume through a transfer function, blended, at a picture size."""
+    """What is looked at: a volume through a transfer function, blended and lit, at a picture size."""
 
     dataset: str
     transfer_function: str
     image_size: tuple[int, int]
     blend_mode: str = COMPOSITE
+    lighting: bool = False
 
     def title(self) -> str:
         """Return the name for readers."""
         width, height = self.image_size
         blending = "" if self.blend_mode == COMPOSITE else f", {self.blend_mode}"
+        blending += ", shaded" if self.lighting else ""
         return f"{self.dataset}, {self.transfer_function}, {width} x {height}{blending}"
 
     def file_stem(self) -> str:
         """Return the name for files."""
         width, height = self.image_size
         blending = "" if self.blend_mode == COMPOSITE else f"-{self.blend_mode.lower()}"
+        blending += "-shaded" if self.lighting else ""
         return f"{self.dataset}-{self.transfer_function}-{width}x{height}{blending}"
 
 
@@ -205,9 +208,10 @@ class Study:
     error: ErrorSettings = field(default_factory=ErrorSettings)
     termination_threshold: float = 0.001
     ray_set_up: str = "Box"
-    lighting: bool = False
+    lighting: tuple[bool, ...] = (False,)
     lighting_damping: float = 0.0
     report: str | None = None
+    paper: dict[str, Any] | None = None
     start: Start | None = None
     series: tuple[Series, ...] = ()
     folder: Path | None = None
@@ -216,11 +220,12 @@ class Study:
     def scenes(self) -> list[Scene]:
         """Return the scenes in study order."""
         return [
-            Scene(dataset.name, name, size, blend_mode)
+            Scene(dataset.name, name, size, blend_mode, lit)
             for dataset in self.datasets
             for name in self.transfer_functions[dataset.name]
             for size in dataset.image_sizes or self.image_sizes
             for blend_mode in self.blend_modes
+            for lit in self.lighting
         ]
 
     def runs(self) -> list[Run]:
@@ -279,7 +284,9 @@ class Study:
             "error": _plain(asdict(self.error)),
             "termination_threshold": self.termination_threshold,
             "ray_set_up": self.ray_set_up,
-            "lighting": self.lighting,
+            "lighting": list(self.lighting)
+            if len(self.lighting) > 1
+            else self.lighting[0],
             "lighting_damping": self.lighting_damping,
         } | ({"start": _plain(asdict(self.start))} if self.start else {})
 

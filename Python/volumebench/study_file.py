@@ -6,6 +6,7 @@ from typing import Any
 from .errors import StudyError
 from .generators import GENERATORS
 from .json_file import check_schema, read_json
+from .paper_check import paper_faults
 from .orbit import FIXED_ANGLES, THREE_VIEWS
 from .study import Camera, Dataset, ErrorSettings, ScenePattern, Series, Start, Study
 from .study import Sweep, Timing, with_runs
@@ -16,7 +17,7 @@ STUDY_FOLDER = Path(__file__).resolve().parent.parent / "Studies"
 _GROUPS = {"camera": Camera, "timing": Timing, "error": ErrorSettings}
 _PLAIN_KEYS = (
     *("description", "termination_threshold", "ray_set_up"),
-    *("lighting", "lighting_damping", "report"),
+    *("lighting_damping", "report", "paper"),
 )
 _ANY_VOLUME = ("name", "otherwise", "generator", "image_sizes", "memory_gb")
 _LIST_KEYS = ("integrators", "paths", "blend_modes", "notes")
@@ -45,6 +46,7 @@ def load_study(path: Path) -> Study:
         shortened = study_from(_shortened(document, quick, path), path)
     study = study_from(document, path, shortened)
     _check_patterns(study, path)
+    _check_paper(study, path)
     return study
 
 
@@ -104,6 +106,8 @@ def study_from(
         values["step_voxels"] = tuple(float(step) for step in document["step_voxels"])
     if "image_sizes" in document:
         values["image_sizes"] = tuple(tuple(size) for size in document["image_sizes"])
+    if "lighting" in document:
+        values["lighting"] = _one_or_more(document["lighting"])
     for key, group in _GROUPS.items():
         values[key] = group(**_with_tuples(document.get(key, {})))
     _check_views(values["error"], values["camera"], path)
@@ -116,6 +120,10 @@ def _with_tuples(values: dict[str, Any]) -> dict[str, Any]:
 
 def _tuples(value: Any) -> Any:
     return tuple(map(_tuples, value)) if isinstance(value, list) else value
+
+
+def _one_or_more(value: Any) -> tuple[Any, ...]:
+    return tuple(value) if isinstance(value, list) else (value,)
 
 
 def _start(item: dict[str, Any] | None, path: Path) -> Start | None:
@@ -169,6 +177,12 @@ def _check_patterns(study: Study, path: Path) -> None:
             )
 
 
+def _check_paper(study: Study, path: Path) -> None:
+    """Each conclusion has what its kind needs, and every selector picks a run of the study."""
+    for place, problem in paper_faults(study):
+        raise StudyError(f'{path}: "paper.{place}": {problem}')
+
+
 def _datasets(document: dict[str, Any], path: Path) -> tuple[Dataset, ...]:
     datasets = tuple(_dataset(item, path) for item in document["datasets"])
     names = [item.name for item in datasets]
@@ -182,12 +196,8 @@ def _datasets(document: dict[str, Any], path: Path) -> tuple[Dataset, ...]:
 def _dataset(item: dict[str, Any], path: Path) -> Dataset:
     values = _with_tuples(item)
     name = values["name"]
-    generated = values.get("otherwise", values.get("generator", name))
+    generated = values.get("generator", values.get("otherwise", name))
     where = f'{path}: "datasets"'
-    if "otherwise" in values and "generator" in values:
-        raise StudyError(
-            f'{where}: "{name}" has a "generator": it needs no "otherwise"'
-        )
     for key in ("otherwise", "generator"):
         if key in values and generated not in GENERATORS:
             raise StudyError(

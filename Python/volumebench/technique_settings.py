@@ -59,8 +59,11 @@ TECHNIQUE_SETTINGS = {
         *(int, (0, 64)),
     ),
     "work_group_shape": TechniqueSetting(
-        *("WorkGroupShape", ("compute", "opencl"), ()),
+        *("WorkGroupShape", ("compute", "opencl", "cuda"), ()),
         "Auto, or WIDTHxHEIGHT such as 16x8",
+    ),
+    "ray_set_up": TechniqueSetting(
+        "RaySetUp", ("single-pass", "compute"), ("Box", "Rasterised")
     ),
     "opencl_device": TechniqueSetting(
         *("OpenclDevice", ("opencl",), (), "Auto, or PLATFORM: DEVICE"),

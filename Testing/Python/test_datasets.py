@@ -93,6 +93,29 @@ def test_a_missing_volume_has_a_named_stand_in(with_fallback, tmp_path):
     assert file.name == "ball" and "9 9 9" in file.path.read_text()
 
 
+def test_a_stand_in_may_have_a_name_of_its_own(document, write_json, tmp_path):
+    """Two volumes that are missing may have stand-ins by one generator."""
+    names = ("foot", "angio")
+    document["datasets"] = [
+        {
+            "name": name,
+            "otherwise": f"{name}-like",
+            "generator": "ball",
+            "dims": [edge] * 3,
+        }
+        for name, edge in zip(names, (8, 12))
+    ]
+    study = load_study(write_json(document))
+    (tmp_path / "angio.mhd").write_text("x")
+    found = with_stand_ins(study, tmp_path)
+    foot, angio = found.datasets
+    assert (foot.name, foot.stands_for) == ("foot-like", "foot")
+    assert (angio.name, angio.stands_for) == ("angio", None)
+    file = find_volume(foot, tmp_path, tmp_path / "cache")
+    assert "8 8 8" in file.path.read_text()
+    assert find_volume(angio, tmp_path, tmp_path).path == tmp_path / "angio.mhd"
+
+
 def test_a_volume_that_is_there_needs_no_stand_in(with_fallback, tmp_path):
     (tmp_path / "bucky.mhd").write_text("x")
     study = with_stand_ins(with_fallback, tmp_path)
@@ -227,10 +250,6 @@ def test_a_generated_volume_may_have_a_name_of_its_own(tmp_path):
         ({"name": "a", "share": 0.5}, '"share" of dataset "a" applies only to'),
         ({"name": "a", "generator": "ball", "share": 0.5}, '"share" does not apply'),
         ({"name": "a", "generator": "shell", "share": 0}, "at most 1"),
-        (
-            {"name": "a", "generator": "ball", "otherwise": "ball"},
-            'it needs no "otherwise"',
-        ),
         ({"name": "a", "memory_gb": 0}, "gigabytes, above 0"),
     ],
 )

@@ -29,6 +29,7 @@ RUN_KEYS = [
     *("integrator", "blend_mode", "step_voxels", "image_size", "view", "path"),
     *(
         "settings",
+        "lighting",
         "stand_in_for",
         "features",
         "left_out",

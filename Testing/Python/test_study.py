@@ -143,7 +143,7 @@ def test_lighting_notes_and_error_size(write_json, document):
     document |= {"lighting": True, "lighting_damping": 0.1, "notes": ["Slow here."]}
     document["error"] = {"image_size": [20, 10]}
     study = load_study(write_json(document))
-    assert (study.lighting, study.lighting_damping) == (True, 0.1)
+    assert (study.lighting, study.lighting_damping) == ((True,), 0.1)
     assert study.notes == ("Slow here.",)
     assert study.error_size(study.scenes()[0]) == (20, 10)
     assert json.loads(json.dumps(study.settings())) == study.settings()

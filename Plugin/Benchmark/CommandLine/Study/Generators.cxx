@@ -278,6 +278,10 @@ std::vector<std::string> GeneratorKeys(const std::string& generator)
 
 std::string GeneratorOf(const Json& dataset)
 {
+  if (dataset.contains("otherwise"))
+  {
+    return {}; // it has a file, in whose place another would stand
+  }
   const std::string name = dataset.value("generator", dataset["name"].get<std::string>());
   return Holds(GeneratorNames(), name) ? name : "";
 }

@@ -105,7 +105,7 @@ Json Unmeasured(const Study& study, const StudyRun& run, const OpenVolume* volum
     { "integrator", run.Integrator }, { "blend_mode", run.Scene.BlendMode },
     { "step_voxels", run.StepVoxels }, { "image_size", { run.Scene.Width, run.Scene.Height } },
     { "view", study.Document["camera"]["path"] }, { "path", run.Path },
-    { "settings", run.SettingsObject() },
+    { "settings", run.SettingsObject() }, { "lighting", run.Scene.Lighting },
     { "stand_in_for", study.Dataset(run.Scene.Dataset).value("stands_for", Json()) },
     { "features", nullptr }, { "left_out", nullptr }, { "status", "failed" }, { "reason", nullptr },
     { "frames", nullptr }, { "frame_ms", spread }, { "gpu_ms", spread }, { "fps", nullptr },

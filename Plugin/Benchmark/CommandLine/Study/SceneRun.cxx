@@ -97,8 +97,8 @@ void SetScene(vtkVolumeBenchmark* bench, const Json& document, const StudyScene&
   bench->SetImageSize(scene.Width, scene.Height);
   bench->SetBlendMode(BlendModeNames().NumberOf(scene.BlendMode));
   bench->SetTerminationThreshold(document["termination_threshold"]);
-  bench->SetRaySetUp(document["ray_set_up"] == "Rasterised" ? 1 : 0);
-  bench->SetShade(document["lighting"].get<bool>());
+  bench->SetRaySetUp(RaySetUpNames().NumberOf(document["ray_set_up"]));
+  bench->SetShade(scene.Lighting);
   bench->SetLightingDamping(document["lighting_damping"]);
 }
 

@@ -17,6 +17,12 @@ std::vector<Json> ListOf(const Json& list)
   return { list.begin(), list.end() };
 }
 
+// A list, or the one value that stands in place of one.
+Json OneOrMore(const Json& value)
+{
+  return value.is_array() ? value : Json::array({ value });
+}
+
 // All combinations of one value of each setting; the last setting varies fastest.
 std::vector<RunSettings> Combinations(const SettingLists& lists)
 {
@@ -79,13 +85,14 @@ std::string StudyScene::Title() const
 {
   std::string title = this->Dataset + ", " + this->TransferFunction + ", " +
     std::to_string(this->Width) + " x " + std::to_string(this->Height);
-  return this->BlendMode == "Composite" ? title : title + ", " + this->BlendMode;
+  title += this->BlendMode == "Composite" ? "" : ", " + this->BlendMode;
+  return this->Lighting ? title + ", shaded" : title;
 }
 
 bool operator==(const StudyScene& a, const StudyScene& b)
 {
   return a.Dataset == b.Dataset && a.TransferFunction == b.TransferFunction && a.Width == b.Width &&
-    a.Height == b.Height && a.BlendMode == b.BlendMode;
+    a.Height == b.Height && a.BlendMode == b.BlendMode && a.Lighting == b.Lighting;
 }
 
 bool operator==(const StudyRun& a, const StudyRun& b)
@@ -141,7 +148,10 @@ std::vector<StudyScene> Study::Scenes() const
       {
         for (const Json& blending : this->Document["blend_modes"])
         {
-          scenes.push_back({ name, function, size[0], size[1], blending });
+          for (const bool lit : OneOrMore(this->Document["lighting"]))
+          {
+            scenes.push_back({ name, function, size[0], size[1], blending, lit });
+          }
         }
       }
     }

@@ -23,6 +23,7 @@ struct StudyScene
   int Width = 0;
   int Height = 0;
   std::string BlendMode;
+  bool Lighting = false;
 
   std::string Title() const;
 };

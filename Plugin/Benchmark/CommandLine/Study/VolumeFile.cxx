@@ -278,12 +278,7 @@ fs::path FindVolumeFile(const std::string& name, const fs::path& folder)
 void CheckGenerated(const Json& dataset, const std::string& where)
 {
   const std::string name = dataset["name"];
-  if (dataset.contains("otherwise") && dataset.contains("generator"))
-  {
-    throw std::runtime_error(
-      where + ": \"" + name + "\" has a \"generator\": it needs no \"otherwise\"");
-  }
-  const std::string generated = dataset.value("otherwise", dataset.value("generator", name));
+  const std::string generated = dataset.value("generator", dataset.value("otherwise", name));
   for (const char* key : { "otherwise", "generator" })
   {
     if (dataset.contains(key) && !IsGenerated(generated))

@@ -1,0 +1,309 @@
+"""Tests what a paper concluded with the rows that were measured here.
+
+A conclusion is about the ratio of two groups of rows: what the selectors `over` and `under` do not
+name must agree in both (settings apart), and of several rows that agree the fastest counts, as papers
+quote the best variant of each technique.
+"""
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from .bootstrap import LEVEL, Ratio, RatioSample, ratio_sample
+from .results import OK, Record
+from .summary import missing_groups, number
+
+HOLDS, FAILS, UNDECIDED, NOT_RUN = "holds", "does not hold", "undecided", "not run"
+_FACTORS = (
+    *("dataset", "transfer_function", "technique", "integrator", "step_voxels"),
+    *("image_size", "blend_mode", "lighting", "path"),
+)
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """What became of a conclusion; `measured` is the figure it rests on, in words."""
+
+    text: str
+    published: str
+    measured: str
+    word: str
+
+
+@dataclass(frozen=True)
+class Pair:
+    """Two rows that differ in what a conclusion is about."""
+
+    over: Record
+    under: Record
+
+
+def matches(row: Record, select: dict[str, Any]) -> bool:
+    """Tell whether a row is picked; a stand-in answers to the name of the volume it stands for."""
+    for name, wanted in select.items():
+        if name == "settings":
+            if any(row.settings.get(key) != value for key, value in wanted.items()):
+                return False
+        elif name == "dataset":
+            if wanted not in (row.dataset, row.stand_in_for):
+                return False
+        elif name == "image_size":
+            if list(row.image_size) != list(wanted):
+                return False
+        elif name == "step_voxels":
+            if row.step_voxels is None or abs(row.step_voxels / wanted - 1) > 1e-6:
+                return False
+        elif getattr(row, name) != wanted:
+            return False
+    return True
+
+
+def merged(*selects: dict[str, Any]) -> dict[str, Any]:
+    """Return one selector of several; their settings are joined."""
+    result: dict[str, Any] = {}
+    for select in selects:
+        settings = result.get("settings", {}) | select.get("settings", {})
+        result |= select
+        if settings:
+            result["settings"] = settings
+    return result
+
+
+def fastest(rows: Iterable[Record], select: dict[str, Any]) -> Record | None:
+    """Return the fastest measured row that is picked."""
+    found = [row for row in measured_rows(rows) if matches(row, select)]
+    return min(found, key=lambda row: row.frame_ms.median, default=None)
+
+
+def measured_rows(rows: Iterable[Record]) -> list[Record]:
+    """Return the rows with a frame time."""
+    return [row for row in rows if row.status == OK and row.frame_ms.median]
+
+
+def pairs_of(
+    rows: Iterable[Record],
+    over: dict[str, Any],
+    under: dict[str, Any],
+    where: dict[str, Any],
+) -> list[Pair]:
+    """Return the pairs that differ in what `over` and `under` name."""
+    named = set(over) | set(under)
+
+    def groups(select: dict[str, Any]) -> dict[tuple, Record]:
+        found: dict[tuple, Record] = {}
+        wanted = merged(where, select)
+        for row in measured_rows(rows):
+            if matches(row, wanted):
+                key = tuple(
+                    getattr(row, name) for name in _FACTORS if name not in named
+                )
+                held = found.get(key)
+                if held is None or row.frame_ms.median < held.frame_ms.median:
+                    found[key] = row
+        return found
+
+    upper, lower = groups(over), groups(under)
+    return [Pair(upper[key], lower[key]) for key in upper if key in lower]
+
+
+def verdicts(paper: dict[str, Any], rows: list[Record]) -> list[Verdict]:
+    """Return what became of each conclusion of a paper."""
+    return [verdict_of(conclusion, rows) for conclusion in paper["conclusions"]]
+
+
+def verdict_of(conclusion: dict[str, Any], rows: list[Record]) -> Verdict:
+    """Return what became of one conclusion."""
+    measured, word = _KINDS[conclusion["kind"]](conclusion, rows)
+    return Verdict(conclusion["text"], conclusion["published"], measured, word)
+
+
+def _judge(ratio: Ratio, conclusion: dict[str, Any]) -> str:
+    """Compare an interval with the bounds of a conclusion."""
+    low = conclusion.get("at_least", -np.inf)
+    high = conclusion.get("at_most", np.inf)
+    if ratio.low is None:
+        return UNDECIDED
+    if ratio.low >= low and ratio.high <= high:
+        return HOLDS
+    return FAILS if ratio.high < low or ratio.low > high else UNDECIDED
+
+
+def _missing(conclusion: dict[str, Any], rows: list[Record]) -> tuple[str, str]:
+    """Say why there is nothing to judge."""
+    selects = [
+        merged(conclusion.get("where", {}), conclusion[key])
+        for key in ("over", "under")
+    ]
+    lost = [
+        row
+        for row in rows
+        if row.status != OK and any(matches(row, s) for s in selects)
+    ]
+    reasons = dict.fromkeys(group.reason for group in missing_groups(lost))
+    return "; ".join(reasons) or "no such rows in this cut of the study", NOT_RUN
+
+
+def _pairs(
+    conclusion: dict[str, Any], rows: list[Record], more: str = ""
+) -> list[Pair]:
+    where = merged(conclusion.get("where", {}), conclusion.get(more, {}))
+    return pairs_of(rows, conclusion["over"], conclusion["under"], where)
+
+
+def _mean_log(samples: list[RatioSample]) -> tuple[float, np.ndarray | None]:
+    """Return the mean logarithm of ratios, and draws of it where every ratio has some."""
+    value = float(np.mean([np.log(sample.value) for sample in samples]))
+    if any(sample.drawn is None for sample in samples):
+        return value, None
+    random = np.random.default_rng(len(samples))
+    drawn = [np.log(random.permutation(sample.drawn)) for sample in samples]
+    return value, np.mean(drawn, axis=0)
+
+
+def _as_ratio(value: float, drawn: np.ndarray | None) -> Ratio:
+    return RatioSample(
+        float(np.exp(value)), None if drawn is None else np.exp(drawn), ""
+    ).interval()
+
+
+def _ratio(conclusion: dict[str, Any], rows: list[Record]) -> tuple[str, str]:
+    """The geometric mean of the ratios of all pairs."""
+    pairs = _pairs(conclusion, rows)
+    if conclusion.get("measure") == "error":
+        return _error_ratio(conclusion, pairs, rows)
+    if not pairs:
+        return _missing(conclusion, rows)
+    samples = [ratio_sample(pair.over, pair.under) for pair in pairs]
+    ratio = _as_ratio(*_mean_log(samples))
+    values = [sample.value for sample in samples]
+    text = f"{interval_text(ratio)} times, {len(pairs)} pairs"
+    if len(pairs) > 1:
+        text += f" from {min(values):.2f} to {max(values):.2f}"
+    return text, _judge(ratio, conclusion)
+
+
+def _error_ratio(
+    conclusion: dict[str, Any], pairs: list[Pair], rows: list[Record]
+) -> tuple[str, str]:
+    """Errors have no noise but the uncertainty of their references."""
+    known = [pair for pair in pairs if pair.over.error.rmse and pair.under.error.rmse]
+    if not known:
+        return _missing(conclusion, rows)
+    bounds = []
+    for pair in known:
+        over, under = pair.over.error, pair.under.error
+        doubts = [item.reference_uncertainty or 0 for item in (over, under)]
+        low = max(over.rmse - doubts[0], 1e-12) / (under.rmse + doubts[1])
+        high = (over.rmse + doubts[0]) / max(under.rmse - doubts[1], 1e-12)
+        bounds.append((low, over.rmse / under.rmse, high))
+    low, value, high = np.exp(np.mean(np.log(bounds), axis=0))
+    ratio = Ratio(float(value), float(low), float(high))
+    return f"{interval_text(ratio)} times the error, {len(known)} pairs", _judge(
+        ratio, conclusion
+    )
+
+
+def _change(conclusion: dict[str, Any], rows: list[Record]) -> tuple[str, str]:
+    """The ratio of the rows picked by `to` over that of the rows picked by `from`."""
+    found = [_pairs(conclusion, rows, key) for key in ("from", "to")]
+    if not all(found):
+        return _missing(conclusion, rows)
+    logs = [
+        _mean_log([ratio_sample(pair.over, pair.under) for pair in pairs])
+        for pairs in found
+    ]
+    (before, drawn_before), (after, drawn_after) = logs
+    drawn = None
+    if drawn_before is not None and drawn_after is not None:
+        drawn = np.random.default_rng(1).permutation(drawn_after) - drawn_before
+    ratio = _as_ratio(after - before, drawn)
+    text = f"from {np.exp(before):.2f} to {np.exp(after):.2f}: {interval_text(ratio)} times"
+    return text, _judge(ratio, conclusion)
+
+
+def _difference(conclusion: dict[str, Any], rows: list[Record]) -> tuple[str, str]:
+    """The largest difference of a pair, in milliseconds without sign."""
+    pairs = _pairs(conclusion, rows)
+    if not pairs:
+        return _missing(conclusion, rows)
+    largest: Ratio | None = None
+    for pair in pairs:
+        sample = ratio_sample(pair.over, pair.under)
+        base = pair.under.frame_ms.median
+        drawn = None if sample.drawn is None else np.abs(base * (sample.drawn - 1))
+        ratio = RatioSample(abs(base * (sample.value - 1)), drawn, "").interval()
+        if largest is None or ratio.value > largest.value:
+            largest = ratio
+    text = f"at most {interval_text(largest)} ms apart, {len(pairs)} pairs"
+    return text, _judge(largest, conclusion)
+
+
+def _crossover(conclusion: dict[str, Any], rows: list[Record]) -> tuple[str, str]:
+    """The step at which the ratio of two techniques is 1, straight in log-log between steps."""
+    pairs = sorted(
+        _pairs(conclusion, rows), key=lambda pair: pair.over.step_voxels or 0
+    )
+    steps = [pair.over.step_voxels for pair in pairs]
+    if len(set(steps)) < 2 or len(set(steps)) != len(steps):
+        return _missing(conclusion, rows)
+    samples = [ratio_sample(pair.over, pair.under) for pair in pairs]
+    ratios = ", ".join(
+        f"{item.value:.2f} at {step:g}" for item, step in zip(samples, steps)
+    )
+    if any(sample.drawn is None for sample in samples):
+        return f"ratios {ratios}", UNDECIDED
+    draws = np.array([np.log(sample.drawn) for sample in samples])
+    if conclusion.get("none"):
+        return f"ratios {ratios}", _no_crossover(draws)
+    places = [_crossing(np.log(steps), draw) for draw in draws.T]
+    inside = [place for place in places if place is not None]
+    if len(inside) < LEVEL * len(places):
+        word = FAILS if len(inside) < (1 - LEVEL) * len(places) else UNDECIDED
+        return f"no crossover that is sure; ratios {ratios}", word
+    value = _crossing(np.log(steps), np.array([np.log(item.value) for item in samples]))
+    middle = float(np.median(inside)) if value is None else value
+    ratio = RatioSample(np.exp(middle), np.exp(np.array(inside)), "").interval()
+    return f"at {interval_text(ratio)} voxels; ratios {ratios}", _judge(
+        ratio, conclusion
+    )
+
+
+def _no_crossover(draws: np.ndarray) -> str:
+    one_side = np.mean(np.all(draws > 0, axis=0) | np.all(draws < 0, axis=0))
+    if one_side >= LEVEL:
+        return HOLDS
+    return FAILS if one_side <= 1 - LEVEL else UNDECIDED
+
+
+def _crossing(places: np.ndarray, logs: np.ndarray) -> float | None:
+    """Return the first place where the sign changes."""
+    for index in range(len(logs) - 1):
+        a, b = logs[index], logs[index + 1]
+        if a * b <= 0 and a != b:
+            return float(
+                places[index] + (places[index + 1] - places[index]) * a / (a - b)
+            )
+    return None
+
+
+def _unmeasured(conclusion: dict[str, Any], rows: list[Record]) -> tuple[str, str]:
+    return conclusion.get("reason", "nothing here measures it"), NOT_RUN
+
+
+def interval_text(ratio: Ratio) -> str:
+    """Return a value with its interval for readers."""
+    value = number(ratio.value, ".3g")
+    if ratio.low is None:
+        return f"{value} (noise not known)"
+    return f"{value} ({ratio.low:.3g} to {ratio.high:.3g})"
+
+
+_KINDS = {
+    "ratio": _ratio,
+    "change": _change,
+    "difference": _difference,
+    "crossover": _crossover,
+    "unmeasured": _unmeasured,
+}
