@@ -10,7 +10,7 @@ from .compare import change_tables, compare_files, summary_of
 from .compare_output import write_comparison
 from .datasets import fitting_memory, free_memory_gb, with_stand_ins
 from .errors import BenchError
-from .findings import findings_of
+from .findings import findings_of, write_tables
 from .json_file import make_writable_folder
 from .plot import write_plots
 from .plugin_file import find_plugin
@@ -206,6 +206,8 @@ def write_views(
     if study.report != SCALING:  # its scenes differ in size only
         write_plots(folder, records, bool(study.sweeps))
     findings = findings_of(study, records, runner.start_rows, folder)
+    if findings is not None:
+        write_tables(folder, findings)
     write_report(folder, study, runner.context, records, runner.notes, findings)
     print(text_tables(study, records))
     if findings is not None:

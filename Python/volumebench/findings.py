@@ -1,5 +1,8 @@
 """What opens the report of a study: its sentence, tables and figures, by the kind of its report."""
 
+import csv
+import io
+import re
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
@@ -7,6 +10,7 @@ from typing import Any
 
 import matplotlib.pyplot as plt
 
+from .json_file import write_atomically
 from .paper import verdicts
 from .paper_plot import paper_figures
 from .paper_tables import conclusion_table, paper_sentence, published_tables
@@ -38,6 +42,9 @@ from .study import SCALING, SPEED, Study
 from .tables import Table, as_text
 from .work_precision import sentence
 from .work_precision_tables import doubt_sentence, sweep_remarks, sweep_tables
+
+
+TABLE_FOLDER = "tables"
 
 
 @dataclass(frozen=True)
@@ -119,6 +126,18 @@ def _scaling(study: Study, records: list[Record], folder: Path) -> Findings:
         HOW_SCALING_IS_READ,
         _written(folder, series_figures(study, records)),
     )
+
+
+def write_tables(folder: Path, findings: Findings) -> None:
+    """Write each table as CSV."""
+    target = folder / TABLE_FOLDER
+    target.mkdir(exist_ok=True)
+    for table in findings.given_tables():
+        stream = io.StringIO()
+        writer = csv.writer(stream, lineterminator="\n")
+        writer.writerows([table.header, *table.rows])
+        stem = re.sub(r"[^a-z0-9]+", "-", table.title.lower()).strip("-")[:60]
+        write_atomically(target / f"{stem}.csv", stream.getvalue())
 
 
 def _written(

@@ -2,7 +2,7 @@
 
 from html import escape
 
-from .report_style import STYLE
+from .report_style import SCRIPT, STYLE
 from .results import Context
 
 
@@ -12,7 +12,7 @@ def page(title: str, body: str, style: str = "") -> str:
         '<!doctype html>\n<html lang="en"><head><meta charset="utf-8">'
         '<meta name="viewport" content="width=device-width, initial-scale=1">'
         f"<title>{escape(title)}</title><style>{STYLE}{style}</style></head>\n"
-        f"<body>{body}</body></html>\n"
+        f"<body>{body}<script>{SCRIPT}</script></body></html>\n"
     )
 
 

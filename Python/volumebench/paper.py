@@ -178,10 +178,19 @@ def _ratio(conclusion: dict[str, Any], rows: list[Record]) -> tuple[str, str]:
     samples = [ratio_sample(pair.over, pair.under) for pair in pairs]
     ratio = _as_ratio(*_mean_log(samples))
     values = [sample.value for sample in samples]
-    text = f"{interval_text(ratio)} times, {len(pairs)} pairs"
+    text = f"{interval_text(ratio)} times, {pairs_text(pairs)}"
     if len(pairs) > 1:
         text += f" from {min(values):.2f} to {max(values):.2f}"
+    if conclusion.get("each"):
+        return text, _judge_each(samples, conclusion)
     return text, _judge(ratio, conclusion)
+
+
+def _judge_each(samples: list[RatioSample], conclusion: dict[str, Any]) -> str:
+    """One pair that contradicts is enough; intervals are so wide that all hold together."""
+    level = 1 - (1 - LEVEL) / len(samples)
+    words = {_judge(sample.interval(level), conclusion) for sample in samples}
+    return FAILS if FAILS in words else UNDECIDED if UNDECIDED in words else HOLDS
 
 
 def _error_ratio(
@@ -200,7 +209,7 @@ def _error_ratio(
         bounds.append((low, over.rmse / under.rmse, high))
     low, value, high = np.exp(np.mean(np.log(bounds), axis=0))
     ratio = Ratio(float(value), float(low), float(high))
-    return f"{interval_text(ratio)} times the error, {len(known)} pairs", _judge(
+    return f"{interval_text(ratio)} times the error, {pairs_text(known)}", _judge(
         ratio, conclusion
     )
 
@@ -236,7 +245,7 @@ def _difference(conclusion: dict[str, Any], rows: list[Record]) -> tuple[str, st
         ratio = RatioSample(abs(base * (sample.value - 1)), drawn, "").interval()
         if largest is None or ratio.value > largest.value:
             largest = ratio
-    text = f"at most {interval_text(largest)} ms apart, {len(pairs)} pairs"
+    text = f"at most {interval_text(largest)} ms apart, {pairs_text(pairs)}"
     return text, _judge(largest, conclusion)
 
 
@@ -290,6 +299,11 @@ def _crossing(places: np.ndarray, logs: np.ndarray) -> float | None:
 
 def _unmeasured(conclusion: dict[str, Any], rows: list[Record]) -> tuple[str, str]:
     return conclusion.get("reason", "nothing here measures it"), NOT_RUN
+
+
+def pairs_text(pairs: list[Pair]) -> str:
+    """Return how many pairs there are."""
+    return "1 pair" if len(pairs) == 1 else f"{len(pairs)} pairs"
 
 
 def interval_text(ratio: Ratio) -> str:

@@ -11,7 +11,9 @@ from .tables import Table
 def paper_sentence(paper: dict[str, Any], found: list[Verdict]) -> str:
     """Return the sentence to quote."""
     counts = Counter(verdict.word for verdict in found)
-    parts = [f"{counts[word]} {word}" for word in (HOLDS, FAILS, UNDECIDED, NOT_RUN)]
+    words = {HOLDS: "hold", FAILS: "do not hold", UNDECIDED: "are undecided"}
+    words[NOT_RUN] = "were not run"
+    parts = [f"{counts[word]} {text}" for word, text in words.items()]
     return (
         f"Of {len(found)} conclusions of {paper['title']} ({paper['hardware']}), tested on this "
         f"machine: {', '.join(parts)}."

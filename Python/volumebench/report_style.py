@@ -1,26 +1,31 @@
-"""Style sheet and fixed text of the report."""
+"""Style sheet, script and fixed text of the report."""
 
 STYLE = """
-:root { color-scheme: light; }
+:root { color-scheme: light dark; --text: #1f2430; --page: #f3f4f6; --card: #fff; --line: #e2e4e9;
+  --soft: #edeff2; --faint: #5b616d; --head: #4a505c; --link: #0072b2; --note: #f8fafc;
+  --strong-line: #d5d9e0; }
+@media (prefers-color-scheme: dark) { :root { --text: #e4e6ea; --page: #14171d; --card: #1d2129;
+  --line: #333945; --soft: #2a303a; --faint: #a4abb8; --head: #c3c8d2; --link: #6ab8ec; --note: #1a1e26;
+  --strong-line: #454d5b; } }
 body { font: 15px/1.55 system-ui, "Segoe UI", Roboto, "Helvetica Neue", sans-serif;
-  color: #1f2430; background: #f3f4f6; margin: 0 auto; max-width: 1120px; padding: 24px; }
+  color: var(--text); background: var(--page); margin: 0 auto; max-width: 1120px; padding: 24px; }
 header { margin: 8px 0 24px; }
-.kicker { text-transform: uppercase; letter-spacing: .14em; font-size: 12px; color: #0072b2;
+.kicker { text-transform: uppercase; letter-spacing: .14em; font-size: 12px; color: var(--link);
   font-weight: 600; margin: 0; }
 h1 { font-size: 32px; line-height: 1.2; margin: 2px 0 8px; }
 h2 { font-size: 19px; margin: 0 0 8px; }
 h3 { font-size: 14px; margin: 16px 0 4px; }
-section { background: #fff; border: 1px solid #e2e4e9; border-radius: 8px; padding: 20px 24px;
+section { background: var(--card); border: 1px solid var(--line); border-radius: 8px; padding: 20px 24px;
   margin: 0 0 18px; }
-section.read { background: #f8fafc; }
-.machine, small, figcaption { color: #5b616d; font-size: 13px; }
+section.read { background: var(--note); }
+.machine, small, figcaption { color: var(--faint); font-size: 13px; }
 .wide { overflow-x: auto; }
 table { border-collapse: collapse; width: 100%; font-size: 13.5px; }
-th { text-align: left; font-weight: 600; color: #4a505c; white-space: nowrap; }
-th, td { padding: 5px 10px 5px 0; border-bottom: 1px solid #edeff2; vertical-align: top; }
+th { text-align: left; font-weight: 600; color: var(--head); white-space: nowrap; }
+th, td { padding: 5px 10px 5px 0; border-bottom: 1px solid var(--soft); vertical-align: top; }
 td.n, th.n { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; }
-th.scene { color: #1f2430; border-top: 2px solid #d5d9e0; padding-top: 10px; }
-img.plot { display: block; max-width: 100%; margin: 12px auto; }
+th.scene { color: var(--text); border-top: 2px solid var(--strong-line); padding-top: 10px; }
+img.plot { display: block; background: #fff; border-radius: 4px; max-width: 100%; margin: 12px auto; }
 .pictures { display: grid; grid-template-columns: repeat(auto-fill, minmax(190px, 1fr));
   gap: 14px; margin: 14px 0; align-items: start; }
 figure { margin: 0; }
@@ -29,8 +34,52 @@ figcaption { margin: 5px 0 10px; line-height: 1.4; }
 p.lead { font-size: 19px; line-height: 1.4; font-weight: 600; margin: 0 0 12px; }
 ul.headlines { font-size: 16px; padding-left: 20px; }
 details { margin-top: 10px; }
-summary { cursor: pointer; color: #0072b2; }
+summary { cursor: pointer; color: var(--link); }
+thead th.sortable { cursor: pointer; }
+th[aria-sort=ascending]::after { content: " \\2191"; }
+th[aria-sort=descending]::after { content: " \\2193"; }
 @media print { body { background: #fff; } section { break-inside: avoid; } }
+"""
+
+# A click on the head of a column sorts by it: numbers by value, what is none of them last. Rows stay under
+# the row that names their scene.
+SCRIPT = """
+document.querySelectorAll("table").forEach(table => {
+  if (!table.tHead) return;
+  const value = row => column => {
+    const text = row.cells[column] ? row.cells[column].textContent.trim() : "";
+    const number = parseFloat(text.replace(/^[^-+.0-9]*(?=[-+.0-9])/, ""));
+    return {text, number: /[0-9]/.test(text) && !/^[a-z]/i.test(text) ? number : NaN};
+  };
+  const groups = () => {
+    const found = [[null, []]];
+    for (const row of table.tBodies[0].rows) {
+      if (row.querySelector("th.scene")) found.push([row, []]); else found[found.length - 1][1].push(row);
+    }
+    return found;
+  };
+  const sort = (head, column) => {
+    const up = head.getAttribute("aria-sort") !== "ascending";
+    for (const other of table.tHead.rows[0].cells) other.removeAttribute("aria-sort");
+    head.setAttribute("aria-sort", up ? "ascending" : "descending");
+    const order = (a, b) => {
+      const x = value(a)(column), y = value(b)(column);
+      if (isNaN(x.number) !== isNaN(y.number)) return isNaN(x.number) ? 1 : -1;
+      const less = isNaN(x.number) ? x.text.localeCompare(y.text) : x.number - y.number;
+      return up ? less : -less;
+    };
+    for (const [name, rows] of groups()) {
+      if (name) table.tBodies[0].append(name);
+      table.tBodies[0].append(...rows.sort(order));
+    }
+  };
+  Array.from(table.tHead.rows[0].cells).forEach((head, column) => {
+    head.classList.add("sortable");
+    head.tabIndex = 0;
+    head.addEventListener("click", () => sort(head, column));
+    head.addEventListener("keydown", event => { if (event.key === "Enter") sort(head, column); });
+  });
+});
 """
 
 HOW_TO_READ = """
