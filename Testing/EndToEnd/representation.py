@@ -181,14 +181,18 @@ def check_settings_take_effect() -> None:
     exact = LABEL == "Volume Reference"
     display.StepVoxels = 2
     if exact:
-        assert rmse(before, capture(view)) == 0, "the exact picture depends on StepVoxels"
+        assert (
+            rmse(before, capture(view)) == 0
+        ), "the exact picture depends on StepVoxels"
     else:
         check_differs(before, capture(view), "StepVoxels")
     display.StepVoxels = 0.5
     assert rmse(before, capture(view)) == 0, "StepVoxels back gave another picture"
     display.Integrator = "Left"
     if exact:
-        assert rmse(before, capture(view)) == 0, "the exact picture depends on Integrator"
+        assert (
+            rmse(before, capture(view)) == 0
+        ), "the exact picture depends on Integrator"
     else:
         check_differs(before, capture(view), "Integrator", 1e-4)
     display.Integrator = "Midpoint"

@@ -99,6 +99,25 @@ def expect_rows_of_view(rows: list[Any]) -> None:
     assert all(row.left_out and row.bytes_on_device for row in rows)
 
 
+def check_tutorial() -> None:
+    """The study of Documentation/first-study.md, and what the page says of its errors."""
+    with temporary_folder() as folder:
+        assert main(["tutorial", "--out", str(folder)]) == 0
+        ERRORS.take()
+        _, records = read_results(folder / "results.json")
+    assert len(records) == 36 and all(row.status == "ok" for row in records)
+    for row in records:
+        assert row.frames >= 12 and len(row.frame_log.ms) == row.frames, row
+    curve = [
+        row.error.rmse
+        for row in records
+        if (row.dataset, row.transfer_function, row.technique)
+        == ("waves", "bucky-translucent", "single-pass")
+    ]
+    print(f"  RMSE at steps 2, 1 and 0.5: {curve}")
+    assert 3 < curve[0] / curve[1] < 5 and 3 < curve[1] / curve[2] < 5, curve
+
+
 def check_scaling() -> None:
     edges = (16, 24, 36, 54)
     names = [f"edge-{edge}" for edge in edges]
