@@ -63,12 +63,18 @@ def ratio_sample(over: Record, under: Record) -> RatioSample:
 
 def geometric_mean(samples: Sequence[RatioSample], level: float = LEVEL) -> Ratio:
     """Return the geometric mean of ratios, with the interval that all their noise leaves."""
+    return mean_sample(samples).interval(level)
+
+
+def mean_sample(samples: Sequence[RatioSample]) -> RatioSample:
+    """Return the geometric mean of ratios; drawn where every ratio has draws."""
     value = float(np.exp(np.mean([np.log(sample.value) for sample in samples])))
     if any(sample.drawn is None for sample in samples):
-        return Ratio(value)
+        return RatioSample(value, None, FRAMES)
+    # Ratios may share a run, and were all drawn with one seed: their draws are put in other orders.
     random = np.random.default_rng(SEED)
     logs = [np.log(random.permutation(sample.drawn)) for sample in samples]
-    return _interval(value, np.exp(np.mean(logs, axis=0)), level)
+    return RatioSample(value, np.exp(np.mean(logs, axis=0)), FRAMES)
 
 
 def _interval(value: float, drawn: np.ndarray | None, level: float) -> Ratio:

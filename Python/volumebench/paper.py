@@ -11,7 +11,8 @@ from typing import Any
 
 import numpy as np
 
-from .bootstrap import LEVEL, Ratio, RatioSample, ratio_sample
+from .bootstrap import LEVEL, Ratio, RatioSample, geometric_mean, mean_sample
+from .bootstrap import ratio_sample
 from .results import OK, Record
 from .summary import missing_groups, number
 
@@ -152,22 +153,6 @@ def _pairs(
     return pairs_of(rows, conclusion["over"], conclusion["under"], where)
 
 
-def _mean_log(samples: list[RatioSample]) -> tuple[float, np.ndarray | None]:
-    """Return the mean logarithm of ratios, and draws of it where every ratio has some."""
-    value = float(np.mean([np.log(sample.value) for sample in samples]))
-    if any(sample.drawn is None for sample in samples):
-        return value, None
-    random = np.random.default_rng(len(samples))
-    drawn = [np.log(random.permutation(sample.drawn)) for sample in samples]
-    return value, np.mean(drawn, axis=0)
-
-
-def _as_ratio(value: float, drawn: np.ndarray | None) -> Ratio:
-    return RatioSample(
-        float(np.exp(value)), None if drawn is None else np.exp(drawn), ""
-    ).interval()
-
-
 def _ratio(conclusion: dict[str, Any], rows: list[Record]) -> tuple[str, str]:
     """The geometric mean of the ratios of all pairs."""
     pairs = _pairs(conclusion, rows)
@@ -176,7 +161,7 @@ def _ratio(conclusion: dict[str, Any], rows: list[Record]) -> tuple[str, str]:
     if not pairs:
         return _missing(conclusion, rows)
     samples = [ratio_sample(pair.over, pair.under) for pair in pairs]
-    ratio = _as_ratio(*_mean_log(samples))
+    ratio = geometric_mean(samples)
     values = [sample.value for sample in samples]
     text = f"{interval_text(ratio)} times, {pairs_text(pairs)}"
     if len(pairs) > 1:
@@ -219,16 +204,15 @@ def _change(conclusion: dict[str, Any], rows: list[Record]) -> tuple[str, str]:
     found = [_pairs(conclusion, rows, key) for key in ("from", "to")]
     if not all(found):
         return _missing(conclusion, rows)
-    logs = [
-        _mean_log([ratio_sample(pair.over, pair.under) for pair in pairs])
+    before, after = (
+        mean_sample([ratio_sample(pair.over, pair.under) for pair in pairs])
         for pairs in found
-    ]
-    (before, drawn_before), (after, drawn_after) = logs
+    )
     drawn = None
-    if drawn_before is not None and drawn_after is not None:
-        drawn = np.random.default_rng(1).permutation(drawn_after) - drawn_before
-    ratio = _as_ratio(after - before, drawn)
-    text = f"from {np.exp(before):.2f} to {np.exp(after):.2f}: {interval_text(ratio)} times"
+    if before.drawn is not None and after.drawn is not None:
+        drawn = np.random.default_rng(1).permutation(after.drawn) / before.drawn
+    ratio = RatioSample(after.value / before.value, drawn, "").interval()
+    text = f"from {before.value:.2f} to {after.value:.2f}: {interval_text(ratio)} times"
     return text, _judge(ratio, conclusion)
 
 

@@ -50,6 +50,12 @@ _CONTEXT_TITLES = {
     "build_type": "Build type",
     "cuda_device": "CUDA device",
     "opencl_device": "OpenCL device",
+    "os": "System",
+    "kernel": "Kernel",
+    "memory_gb": "Memory (GB)",
+    "cpu_governor": "Governor of the processor's clock",
+    "load_average": "Load before measuring",
+    "source": "Sources",
 }
 
 

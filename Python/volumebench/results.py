@@ -40,6 +40,12 @@ class Context:
     cuda_device: str | None = None
     opencl_device: str | None = None
     calibration: dict[str, Any] | None = None
+    os: str | None = None
+    kernel: str | None = None
+    memory_gb: float | None = None
+    cpu_governor: str | None = None
+    load_average: float | None = None  # of the last minute before measuring
+    source: str | None = None  # commit of the sources, "+" where they were changed
 
 
 @dataclass

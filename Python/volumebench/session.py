@@ -1,7 +1,5 @@
 """A ParaView session of a study; with session_engine and session_view all that imports paraview."""
 
-import os
-import platform
 from collections.abc import Callable
 from datetime import datetime, timezone
 from functools import partial
@@ -13,6 +11,7 @@ from vtkmodules.vtkCommonCore import vtkVersion
 
 from .datasets import VolumeFile
 from .errors import BenchError
+from .machine import machine_facts
 from .results import Context, Record
 from .session_engine import run_engine
 from .session_stability import run_stability
@@ -53,9 +52,6 @@ class Session:
         gl = self._gl
         return Context(
             date=datetime.now(timezone.utc).isoformat(timespec="seconds"),
-            host=platform.node() or None,
-            cpu=_cpu_name(),
-            cores=len(os.sched_getaffinity(0)),
             gl_renderer=gl.GetRenderer() or None,
             gl_version=gl.GetVersion() or None,
             paraview=str(simple.GetParaViewSourceVersion()).split()[-1],
@@ -63,6 +59,7 @@ class Session:
             plugin=self._plugin_version,
             build_type=_build_type(self._plugin),
             opencl_device=self._opencl_device,
+            **machine_facts(),
         )
 
     def open_volume(self, file: VolumeFile) -> OpenVolume:
@@ -192,12 +189,3 @@ def _build_type(plugin: Path) -> str | None:
                 if line.startswith("CMAKE_BUILD_TYPE:"):
                     return line.partition("=")[2] or None
     return None
-
-
-def _cpu_name() -> str | None:
-    try:
-        text = Path("/proc/cpuinfo").read_text(encoding="utf-8")
-    except OSError:
-        return platform.processor() or None
-    names = [line for line in text.splitlines() if line.startswith("model name")]
-    return names[0].partition(":")[2].strip() if names else None
