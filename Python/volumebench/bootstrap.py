@@ -1,8 +1,10 @@
-"""How sure a ratio of frame times is: percentile bootstrap of the ratio of two medians.
+"""How sure a ratio of frame times is: percentile bootstrap (Efron and Tibshirani, An Introduction to
+the Bootstrap, 1993, chapter 13).
 
-Efron and Tibshirani, An Introduction to the Bootstrap, 1993, chapter 13. Where both runs showed the
-same frames of the camera path, the frames are drawn, and both runs take those that were drawn: what
-differs from view to view then differs in both. Otherwise each run is resampled on its own.
+Views of one path differ more than repeats of one view. Where two runs share frames of the path, the
+ratio is therefore the median over these frames of the ratio of their median times, and the frames are
+drawn; of a path with few frames, the repeats of each. Runs that share too few have the ratio of their
+medians, each resampled on its own.
 """
 
 from collections.abc import Sequence
@@ -17,7 +19,9 @@ SEED = 20260101
 LEVEL = 0.95
 FRAMES = "frames"
 QUARTILES = "quartiles"
-LEAST_FRAMES = 3
+# The range of so many values holds their median with 97 %; of fewer, with less than 95 %.
+LEAST_FRAMES = 6
+LEAST_QUARTILE_FRAMES = 3
 
 
 @dataclass(frozen=True)
@@ -35,7 +39,7 @@ class Ratio:
 
 @dataclass(frozen=True)
 class RatioSample:
-    """The ratio of two medians with resampled ones; `basis` says what they were drawn from."""
+    """A ratio of times with resampled ones; `basis` says what they were drawn from."""
 
     value: float
     drawn: np.ndarray | None
@@ -47,18 +51,47 @@ class RatioSample:
 
 
 def ratio_sample(over: Record, under: Record) -> RatioSample:
-    """Return the ratio of two rows' median frame times; both must have been measured."""
+    """Return the ratio of two rows' frame times; both must have been measured."""
     value = over.frame_ms.median / under.frame_ms.median
-    logs = over.frame_log, under.frame_log
     random = np.random.default_rng(SEED)
-    if None in logs:
+    if over.frame_log is None or under.frame_log is None:
         return RatioSample(value, _from_quartiles(over, under, random), QUARTILES)
-    if min(len(set(log.frame)) for log in logs) < LEAST_FRAMES:
+    times = _by_frame(over.frame_log), _by_frame(under.frame_log)
+    shared = sorted(set(times[0]) & set(times[1]))
+    pairs = [(np.array(times[0][frame]), np.array(times[1][frame])) for frame in shared]
+    if len(shared) >= LEAST_FRAMES:
+        return _over_frames(pairs, random)
+    if shared and min(len(item) for pair in pairs for item in pair) >= LEAST_FRAMES:
+        return _within_frames(pairs, random)
+    logs = np.array(over.frame_log.ms), np.array(under.frame_log.ms)
+    if shared or min(map(len, logs)) < LEAST_FRAMES:
         return RatioSample(value, None, FRAMES)
-    if set(logs[0].frame) == set(logs[1].frame):
-        return RatioSample(value, _paired(*logs, random), FRAMES)
-    drawn = [_medians(np.array(log.ms), random) for log in logs]
-    return RatioSample(value, drawn[0] / drawn[1], FRAMES)
+    drawn = _medians(logs[0], random) / _medians(logs[1], random)
+    return RatioSample(value, drawn, FRAMES)
+
+
+def _by_frame(log: FrameLog) -> dict[int, list[float]]:
+    times: dict[int, list[float]] = {}
+    for frame, ms in zip(log.frame, log.ms):
+        times.setdefault(frame, []).append(ms)
+    return times
+
+
+def _over_frames(
+    pairs: list[tuple[np.ndarray, np.ndarray]], random: np.random.Generator
+) -> RatioSample:
+    """Draw frames of the path."""
+    ratios = np.array([np.median(over) / np.median(under) for over, under in pairs])
+    return RatioSample(float(np.median(ratios)), _medians(ratios, random), FRAMES)
+
+
+def _within_frames(
+    pairs: list[tuple[np.ndarray, np.ndarray]], random: np.random.Generator
+) -> RatioSample:
+    """Draw repeats of each frame of a path that has few."""
+    ratios = [np.median(over) / np.median(under) for over, under in pairs]
+    drawn = [_medians(over, random) / _medians(under, random) for over, under in pairs]
+    return RatioSample(float(np.median(ratios)), np.median(drawn, axis=0), FRAMES)
 
 
 def geometric_mean(samples: Sequence[RatioSample], level: float = LEVEL) -> Ratio:
@@ -91,31 +124,6 @@ def _medians(values: np.ndarray, random: np.random.Generator) -> np.ndarray:
     return np.median(values[picks], axis=1)
 
 
-def _paired(a: FrameLog, b: FrameLog, random: np.random.Generator) -> np.ndarray:
-    """Draw frames of the path, and of each one time of either run for each that it took of it."""
-    frames = sorted(set(a.frame))
-    picks = random.integers(0, len(frames), (RESAMPLES, len(frames)))
-    medians = [_drawn_times(log, frames, picks, random) for log in (a, b)]
-    return medians[0] / medians[1]
-
-
-def _drawn_times(
-    log: FrameLog, frames: list[int], picks: np.ndarray, random: np.random.Generator
-) -> np.ndarray:
-    times: list[list[float]] = [[] for _ in frames]
-    places = {frame: place for place, frame in enumerate(frames)}
-    for frame, ms in zip(log.frame, log.ms):
-        times[places[frame]].append(ms)
-    longest = max(map(len, times))
-    # One table of drawn times: a frame with fewer of them has its draws from fewer.
-    table = np.array([(item * longest)[:longest] for item in times])
-    counts = np.array([len(item) for item in times])
-    drawn = (random.random((*picks.shape, longest)) * counts[picks][..., None]).astype(
-        int
-    )
-    return np.median(table[picks[..., None], drawn].reshape(len(picks), -1), axis=1)
-
-
 def _from_quartiles(
     over: Record, under: Record, random: np.random.Generator
 ) -> np.ndarray | None:
@@ -124,7 +132,7 @@ def _from_quartiles(
     drawn = []
     for row in (over, under):
         spread = row.frame_ms
-        if not row.frames or row.frames < LEAST_FRAMES or spread.q1 is None:
+        if not row.frames or row.frames < LEAST_QUARTILE_FRAMES or spread.q1 is None:
             return None
         error = 1.57 / 1.96 * (spread.q3 - spread.q1) / np.sqrt(row.frames)
         share = error / spread.median

@@ -74,6 +74,16 @@ def test_what_must_hold_of_each_pair_is_not_saved_by_the_mean():
     assert judged(curves(), at_most=1.05, each=True).word == "does not hold"
 
 
+def test_of_several_variants_the_fastest_counts():
+    slow, fast = (
+        made_up("multi-pass", 1.0, ms, settings={"work_group_shape": shape})
+        for shape, ms in (("4x4", 40), ("8x8", 16))
+    )
+    for order in ((slow, fast), (fast, slow)):
+        found = judged([*order, made_up("single-pass", 1.0, 32)], at_most=0.6)
+        assert found.word == "holds" and "1 pair" in found.measured
+
+
 def test_a_change_is_that_of_the_ratio():
     """From 1.5 at step 8 to 0.625 at step 1."""
     ends = {"from": {"step_voxels": 8}, "to": {"step_voxels": 1}}
