@@ -161,14 +161,22 @@ def _ratio(conclusion: dict[str, Any], rows: list[Record]) -> tuple[str, str]:
     if not pairs:
         return _missing(conclusion, rows)
     samples = [ratio_sample(pair.over, pair.under) for pair in pairs]
-    ratio = geometric_mean(samples)
+    known = _known(samples)
+    ratio = geometric_mean(known)
     values = [sample.value for sample in samples]
-    text = f"{interval_text(ratio)} times, {pairs_text(pairs)}"
+    text = f"{interval_text(ratio)} times, {pairs_text(known)}"
     if len(pairs) > 1:
         text += f" from {min(values):.2f} to {max(values):.2f}"
+    if len(known) < len(samples):
+        text += f"; {len(samples) - len(known)} more with too few frames"
     if conclusion.get("each"):
         return text, _judge_each(samples, conclusion)
     return text, _judge(ratio, conclusion)
+
+
+def _known(samples: list[RatioSample]) -> list[RatioSample]:
+    """Return the ratios whose noise is known; all, where that is so of none."""
+    return [sample for sample in samples if sample.drawn is not None] or samples
 
 
 def _judge_each(samples: list[RatioSample], conclusion: dict[str, Any]) -> str:
@@ -205,7 +213,7 @@ def _change(conclusion: dict[str, Any], rows: list[Record]) -> tuple[str, str]:
     if not all(found):
         return _missing(conclusion, rows)
     before, after = (
-        mean_sample([ratio_sample(pair.over, pair.under) for pair in pairs])
+        mean_sample(_known([ratio_sample(pair.over, pair.under) for pair in pairs]))
         for pairs in found
     )
     drawn = None
@@ -285,7 +293,7 @@ def _unmeasured(conclusion: dict[str, Any], rows: list[Record]) -> tuple[str, st
     return conclusion.get("reason", "nothing here measures it"), NOT_RUN
 
 
-def pairs_text(pairs: list[Pair]) -> str:
+def pairs_text(pairs: list[Any]) -> str:
     """Return how many pairs there are."""
     return "1 pair" if len(pairs) == 1 else f"{len(pairs)} pairs"
 

@@ -125,6 +125,19 @@ def test_errors_are_compared_with_the_uncertainty_of_references():
     )
 
 
+def test_pairs_of_too_few_frames_do_not_hide_the_others():
+    """Their noise is not known: they are told, and leave the mean to the others."""
+    short = made_up("multi-pass", 2.0, 1.0)
+    log = FrameLog([0, 1], [1.0, 1.0], [None, None])
+    short = replace(short, **times(log))
+    rows = [row for row in curves() if row.step_voxels == 1]
+    rows += [short, made_up("single-pass", 2.0, 16)]
+    found = judged(rows, at_least=0.5, at_most=0.7)
+    assert found.word == "holds" and "1 more with too few frames" in found.measured
+    assert judged(rows, at_least=0.01, at_most=0.7, each=True).word == "undecided"
+    assert judged(rows[2:], at_most=0.7).word == "undecided"
+
+
 def test_what_was_not_run_says_why():
     rows = [
         *curves(),
