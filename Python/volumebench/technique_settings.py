@@ -72,9 +72,6 @@ TECHNIQUE_SETTINGS = {
     "opencl_storage": TechniqueSetting(
         "OpenclStorage", ("opencl",), ("Auto", "Images", "Buffers")
     ),
-    "voxel_order": TechniqueSetting(
-        "VoxelOrder", ("compute", "cuda"), ("Naive", "Block Shape", "In-Place Rotation")
-    ),
     "slice_extent": TechniqueSetting(
         "SliceExtent", _SLICING, ("Vertex Depth", "Vertex Distance", "Central Ray")
     ),

@@ -164,8 +164,6 @@ TEST_F(StudyFile, FaultsAreNamed)
   with("quick", R"({"frames": 3})", "\"quick\"");
   with("sweeps", R"([{"datasets": ["mri"]}])", "\"sweeps[0].datasets\": \"mri\" is not");
   with("datasets", R"([{"name": "x", "generator": "mri"}])", "must be a generated volume");
-  with(
-    "datasets", R"([{"name": "x", "generator": "ball", "otherwise": "ball"}])", "no \"otherwise\"");
   with("datasets", R"([{"name": "ball", "share": 0.5}])", "\"share\" does not apply");
 }
 
