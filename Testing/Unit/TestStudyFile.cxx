@@ -134,6 +134,25 @@ TEST_F(StudyFile, AMissingVolumeHasItsStandIn)
   EXPECT_EQ(study.Dataset("ball")["stands_for"], "bucky");
 }
 
+TEST_F(StudyFile, AStandInMayHaveANameOfItsOwn)
+{
+  this->Document["datasets"] =
+    Json::parse(R"([{"name": "foot", "otherwise": "foot-like", "generator": "ball"}])");
+  const Study study = this->Load();
+  EXPECT_EQ(study.Runs()[0].Scene.Dataset, "foot-like");
+  EXPECT_EQ(study.Dataset("foot-like")["stands_for"], "foot");
+}
+
+TEST_F(StudyFile, ScenesMayBeLitAndNot)
+{
+  const std::size_t runs = this->Load().Runs().size();
+  this->Document["lighting"] = { false, true };
+  const std::vector<StudyRun> both = this->Load().Runs();
+  ASSERT_EQ(both.size(), 2 * runs);
+  EXPECT_NE(both.front().Scene.Lighting, both.back().Scene.Lighting);
+  EXPECT_NE(both.front().Scene.Title(), both.back().Scene.Title());
+}
+
 TEST_F(StudyFile, FaultsAreNamed)
 {
   const Json good = this->Document;
