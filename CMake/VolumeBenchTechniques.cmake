@@ -5,7 +5,8 @@
 # the panel shows for this technique and not for all.
 set(volumebench_technique_ids "")
 set(volumebench_technique_settings Skipping TerminationThreshold RaySetUp Jitter JitterSeed
-  WorkGroupShape OpenclDevice OpenclStorage SliceExtent SliceOrder SliceTarget SliceThreads)
+  WorkGroupShape OpenclDevice OpenclStorage VoxelOrder SliceExtent SliceOrder SliceTarget
+  SliceThreads)
 
 function(volumebench_technique id)
   cmake_parse_arguments(PARSE_ARGV 1 row "" "CLASS;LABEL" "SETTINGS")

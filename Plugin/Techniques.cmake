@@ -5,7 +5,7 @@ volumebench_technique(single-pass CLASS SinglePass LABEL "Volume Single Pass"
 volumebench_technique(multi-pass CLASS MultiPass LABEL "Volume Multi Pass"
   SETTINGS Skipping TerminationThreshold Jitter JitterSeed)
 volumebench_technique(compute CLASS ComputeRayCast LABEL "Volume Compute"
-  SETTINGS Skipping TerminationThreshold RaySetUp Jitter JitterSeed WorkGroupShape)
+  SETTINGS Skipping TerminationThreshold RaySetUp Jitter JitterSeed WorkGroupShape VoxelOrder)
 volumebench_technique(opencl CLASS OpenClRayCast LABEL "Volume OpenCL"
   SETTINGS Skipping TerminationThreshold Jitter JitterSeed WorkGroupShape
     OpenclDevice OpenclStorage)

@@ -96,6 +96,13 @@ const NameTable& RaySetUpNames()
   return names;
 }
 
+const NameTable& VoxelOrderNames()
+{
+  static const NameTable names(
+    "voxel order", { { "Naive", 0 }, { "Block Shape", 1 }, { "In-Place Rotation", 2 } });
+  return names;
+}
+
 const NameTable& SliceExtentNames()
 {
   static const NameTable names(

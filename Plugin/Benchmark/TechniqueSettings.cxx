@@ -144,6 +144,9 @@ const SettingRow Rows[] = {
   { "opencl_storage", false,
     [](TechniqueSettings& s, const std::string& text)
     { s.OpenClStorage = OpenClStorageNames().NumberOf(text); } },
+  { "voxel_order", false,
+    [](TechniqueSettings& s, const std::string& text)
+    { s.VoxelOrder = VoxelOrderNames().NumberOf(text); } },
   { "slice_extent", false,
     [](TechniqueSettings& s, const std::string& text)
     { s.SliceExtent = SliceExtentNames().NumberOf(text); } },
@@ -244,6 +247,7 @@ void CheckTechniqueSettings(const TechniqueSettings& settings)
       " voxels; it must be at least " + JsonNumber(SmallestStepVoxels));
   }
   OpenClStorageNames().NameOf(settings.OpenClStorage);
+  VoxelOrderNames().NameOf(settings.VoxelOrder);
   SliceExtentNames().NameOf(settings.SliceExtent);
   SliceThreadsNames().NameOf(settings.SliceThreads);
   SliceTargetNames().NameOf(settings.SliceTarget);
@@ -265,6 +269,7 @@ void ApplySettings(const TechniqueSettings& settings, vtkVolumeBenchMapper& mapp
   mapper.SetWorkGroupShape(settings.WorkGroupShape.c_str());
   mapper.SetOpenClDevice(settings.OpenClDevice.c_str());
   mapper.SetOpenClStorage(settings.OpenClStorage);
+  mapper.SetVoxelOrder(settings.VoxelOrder);
   mapper.SetSliceExtent(settings.SliceExtent);
   mapper.SetSliceThreads(settings.SliceThreads);
   mapper.SetSliceTarget(settings.SliceTarget);

@@ -175,6 +175,7 @@ volumebench::ExperimentSettings vtkVolumeBenchmark::MakeSettings() const
   settings.Own.WorkGroupShape = this->WorkGroupShape;
   settings.Own.OpenClDevice = this->OpenClDevice;
   settings.Own.OpenClStorage = this->OpenClStorage;
+  settings.Own.VoxelOrder = this->VoxelOrder;
   settings.Own.SliceExtent = this->SliceExtent;
   settings.Own.SliceThreads = this->SliceThreads;
   settings.Own.SliceTarget = this->SliceTarget;

@@ -114,6 +114,8 @@ public:
   vtkGetCharFromStdStringMacro(OpenClDevice);
   vtkSetMacro(OpenClStorage, int);
   vtkGetMacro(OpenClStorage, int);
+  vtkSetMacro(VoxelOrder, int);
+  vtkGetMacro(VoxelOrder, int);
   vtkSetMacro(SliceExtent, int);
   vtkGetMacro(SliceExtent, int);
   vtkSetMacro(SliceThreads, int);
@@ -224,6 +226,7 @@ protected:
   std::string WorkGroupShape = "Auto";
   std::string OpenClDevice = "Auto";
   int OpenClStorage = 0;
+  int VoxelOrder = 0;
   int SliceExtent = 0;
   int SliceThreads = 0;
   int SliceTarget = 0;

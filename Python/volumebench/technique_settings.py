@@ -72,6 +72,9 @@ TECHNIQUE_SETTINGS = {
     "opencl_storage": TechniqueSetting(
         "OpenclStorage", ("opencl",), ("Auto", "Images", "Buffers")
     ),
+    "voxel_order": TechniqueSetting(
+        "VoxelOrder", ("compute",), ("Naive", "Block Shape", "In-Place Rotation")
+    ),
     "slice_extent": TechniqueSetting(
         "SliceExtent", _SLICING, ("Vertex Depth", "Vertex Distance", "Central Ray")
     ),

@@ -179,6 +179,16 @@ public:
 
   ///@{
   /**
+   * Technique compute: how the view's path through the volume's memory is shortened (Misaki, Ino &
+   * Hagihara 2017). 0: Naive (default); 1: BlockShape, work groups shaped by the view in place of
+   * WorkGroupShape; 2: InPlaceRotation, voxels also turned on the device, which compute refuses.
+   */
+  vtkSetMacro(VoxelOrder, int);
+  vtkGetMacro(VoxelOrder, int);
+  ///@}
+
+  ///@{
+  /**
    * Techniques slices and slices-threaded: the depths between which the slice distance divides
    * evenly (Nikolov 2015). 0: depths of the box's nearest and farthest vertex (default); 1: their
    * distances from the eye; 2: entry and exit of the central ray. Slices go on to the ends of the
@@ -374,6 +384,7 @@ protected:
   std::string WorkGroupShape = "Auto";
   std::string OpenClDevice = "Auto";
   int OpenClStorage = 0;
+  int VoxelOrder = 0;
   int SliceExtent = 0;
   int SliceThreads = 0;
   int SliceTarget = 0;

@@ -71,6 +71,7 @@ vtkVolumeBenchForwardMacro(JitterSeed, int);
 vtkVolumeBenchForwardMacro(WorkGroupShape, const char*);
 vtkVolumeBenchForwardMacro(OpenClDevice, const char*);
 vtkVolumeBenchForwardMacro(OpenClStorage, int);
+vtkVolumeBenchForwardMacro(VoxelOrder, int);
 vtkVolumeBenchForwardMacro(SliceExtent, int);
 vtkVolumeBenchForwardMacro(SliceOrder, int);
 vtkVolumeBenchForwardMacro(SliceTarget, int);

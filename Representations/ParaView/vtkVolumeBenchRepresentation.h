@@ -65,6 +65,7 @@ public:
   void SetWorkGroupShape(const char* shape);
   void SetOpenClDevice(const char* device);
   void SetOpenClStorage(int storage);
+  void SetVoxelOrder(int number);
   void SetSliceExtent(int extent);
   void SetSliceOrder(int order);
   void SetSliceTarget(int target);

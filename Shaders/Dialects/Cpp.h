@@ -36,6 +36,9 @@ using std::fabs;
 
 #include "Shared/SceneBlock.h"
 #include "Shared/Vectors.h"
+#ifdef VOLUME_IN_ORDER
+#include "Shared/VoxelOrder.h"
+#endif
 
 struct BackendScene : SceneBlock
 {
@@ -48,16 +51,29 @@ struct BackendScene : SceneBlock
   std::function<int(int, int, int)> blanking; // by cell
   std::function<int(int, int, int)> cellCode; // by macrocell
   std::function<real(int, int, int)> cellExtreme;
+#ifdef VOLUME_IN_ORDER
+  vec4 orderX; // as Shared/VoxelOrder.h has them
+  vec4 orderZ;
+#endif
 };
+
+FUNC vec3 volumePosition(SCENE_PARAM vec3 position)
+{
+#ifdef VOLUME_IN_ORDER
+  return orderedPosition(scene.orderX, scene.orderZ, position);
+#else
+  return position;
+#endif
+}
 
 FUNC real fieldAt(SCENE_PARAM vec3 position)
 {
-  return scene.field(position);
+  return scene.field(volumePosition(SCENE position));
 }
 
 FUNC vec4 texelAt(SCENE_PARAM vec3 position)
 {
-  return scene.texel(position);
+  return scene.texel(volumePosition(SCENE position));
 }
 
 FUNC vec4 tableAt(SCENE_PARAM real coordinate)

@@ -42,6 +42,7 @@ OURS = {
     "WorkGroupShape": "8x4",
     "OpenclDevice": "Portable Computing Language: none",
     "OpenclStorage": "Images",
+    "VoxelOrder": "Block Shape",
     "SliceExtent": "Central Ray",
     "SliceOrder": "Back to Front",
     "SliceTarget": "RGBA16F",

@@ -26,6 +26,37 @@ TEST_P(Settings, WorkGroupsOfAnyShapeGiveThePicture)
   }
 }
 
+// From sides that ask for both shapes; a technique without such an order has nothing to shape.
+TEST_P(Settings, BlocksShapedByTheViewGiveThePicture)
+{
+  RenderScene scene(GetParam(), MakeImage(12, 10, 8, Bumpy), BumpyProperty());
+  scene.Window->SetSize(61, 47);
+  for (const glm::dvec3& from : { glm::dvec3(0.2, 0.1, 1.0), glm::dvec3(1.0, 0.1, 0.2) })
+  {
+    scene.LookFrom(from.x, from.y, from.z);
+    scene.Mapper->SetVoxelOrder(0);
+    const FloatPicture expected = scene.Picture();
+    ASSERT_GT(PixelAt(expected, 30, 23).Alpha, 0.1);
+    scene.Mapper->SetVoxelOrder(1);
+    EXPECT_EQ(scene.Picture().Pixels, expected.Pixels);
+    EXPECT_EQ(scene.Mapper->GetFailure(), "");
+  }
+}
+
+TEST(VoxelOrders, ThatATechniqueOrNobodyHasAreRefused)
+{
+  RenderScene scene("compute", MakeImage(12, 10, 8, Bumpy), BumpyProperty());
+  scene.Mapper->GlobalWarningDisplayOff();
+  scene.Mapper->SetVoxelOrder(2);
+  scene.Picture();
+  EXPECT_NE(scene.Mapper->GetFailure().find("compute"), std::string::npos);
+  EXPECT_NE(scene.Mapper->GetFailure().find("Block Shape"), std::string::npos);
+  scene.Mapper->SetVoxelOrder(3);
+  scene.Picture();
+  EXPECT_NE(scene.Mapper->GetFailure().find("voxel order 3"), std::string::npos);
+  scene.Mapper->GlobalWarningDisplayOn();
+}
+
 TEST_P(Settings, ThreadsOfAnyNumberGiveThePicture)
 {
   RenderScene scene(GetParam(), MakeImage(12, 10, 8, Bumpy), BumpyProperty());

@@ -173,4 +173,17 @@
 #define WITH_SKIPPING 1
 #include "Scene/KernelInstance.h"
 
+#define KERNEL_NAMESPACE lit64
+#define KERNEL_REAL double
+#define WITH_MIDPOINT 1
+#define WITH_LIGHTING 1
+#include "Scene/KernelInstance.h"
+
+#define KERNEL_NAMESPACE orderedLit64
+#define KERNEL_REAL double
+#define WITH_MIDPOINT 1
+#define WITH_LIGHTING 1
+#define VOLUME_IN_ORDER 1
+#include "Scene/KernelInstance.h"
+
 #endif

@@ -8,7 +8,8 @@
 //   #include "Scene/KernelInstance.h"
 //
 // gives midpoint64::SceneBlock, BackendScene, Ray, castRay, integrate and the rest of Shared/. The
-// preprocessor reads a feature that is not defined as 0. All macros are gone after the include.
+// preprocessor reads a feature that is not defined as 0. VOLUME_IN_ORDER, if it is defined, has the
+// field asked for in the order of orderX and orderZ. All macros are gone after the include.
 #include <glm/glm.hpp>
 
 #include <cmath>
@@ -53,6 +54,7 @@ using real = KERNEL_REAL;
 #undef BORDERS_MOVE
 #undef SAMPLES_OF_STEP
 #undef PREFIX_ENTRY
+#undef VOLUME_IN_ORDER
 
 // Every feature of Scene/Features.cxx; the Kernels tests notice one that is missing here.
 #undef WITH_MIDPOINT

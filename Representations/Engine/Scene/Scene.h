@@ -205,6 +205,14 @@ enum class ReferenceMethod
   Midpoint // StepVoxels, its half and its quarter, extrapolated (Richardson)
 };
 
+/// What is done for the path of a view through the volume's memory.
+enum class VoxelOrder
+{
+  Naive,
+  BlockShape,     // work groups shaped by the view
+  InPlaceRotation // and voxels turned on the device where rays run along the smallest stride
+};
+
 struct Sampling
 {
   Integrator Integration = Integrator::Midpoint;
@@ -217,6 +225,7 @@ struct Sampling
   int MacrocellVoxels = 0;           // edge of a macrocell; 0: by the size of the volume
   double TerminationThreshold = 0.0; // remaining transmittance at which a ray stops
   glm::ivec2 WorkGroup{ 0 };         // pixels of a compute work group; 0: to be found by measuring
+  VoxelOrder Order = VoxelOrder::Naive;
   Slicing Slices;
   OpenClChoice OpenCl;
   ReferenceMethod Method = ReferenceMethod::CellExact; // of technique reference

@@ -81,6 +81,7 @@ Sampling BuildSampling(vtkVolumeBenchMapper* mapper)
   sampling.SkipsEmptySpace = mapper->GetSkipping();
   sampling.MacrocellVoxels = mapper->GetMacrocellVoxels();
   sampling.WorkGroup = WorkGroupOf(mapper->GetWorkGroupShape());
+  sampling.Order = static_cast<VoxelOrder>(Checked(mapper->GetVoxelOrder(), 2, "voxel order"));
   sampling.Slices = BuildSlicing(mapper);
   sampling.OpenCl = { mapper->GetOpenClDevice(),
     static_cast<OpenClStorage>(Checked(mapper->GetOpenClStorage(), 2, "OpenCL storage")) };

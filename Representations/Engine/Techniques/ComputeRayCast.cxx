@@ -3,6 +3,7 @@
 #include "Scene/PackScene.h"
 
 #include "Techniques/WorkGroupChoice.h"
+#include "VoxelOrder/ViewClass.h"
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtk_glew.h"
@@ -19,6 +20,14 @@ std::string WorkGroupDefines(glm::ivec2 shape)
 {
   return "#define WORK_GROUP_WIDTH " + std::to_string(shape.x) + "\n#define WORK_GROUP_HEIGHT " +
     std::to_string(shape.y) + "\n";
+}
+
+// (0, 0) where the shape is to be found by measuring.
+glm::ivec2 KnownWorkGroup(const Scene& scene)
+{
+  return scene.Sampling.Order == VoxelOrder::BlockShape
+    ? BlockShapeOf(ViewClassOf(ScreenAxesOf(scene)))
+    : scene.Sampling.WorkGroup;
 }
 }
 
@@ -51,9 +60,15 @@ void ComputeRayCast::Compile(const Scene& scene)
   {
     this->Faces.Release();
   }
-  if (scene.Sampling.WorkGroup.x > 0)
+  if (scene.Sampling.Order == VoxelOrder::InPlaceRotation)
   {
-    this->RayCastOf(scene.Sampling.WorkGroup);
+    throw SceneError("technique 'compute' does not turn voxels: it has the voxel orders Naive and "
+                     "Block Shape");
+  }
+  const glm::ivec2 workGroup = KnownWorkGroup(scene);
+  if (workGroup.x > 0)
+  {
+    this->RayCastOf(workGroup);
   }
   this->ProgramOf({ "Viewport.vert", "Picture.frag" });
 }
@@ -106,9 +121,10 @@ void ComputeRayCast::Dispatch(
 glm::ivec2 ComputeRayCast::ChooseWorkGroup(
   const Scene& scene, vtkOpenGLRenderWindow* window, const glm::ivec4& rectangle)
 {
-  if (scene.Sampling.WorkGroup.x > 0)
+  const glm::ivec2 fixed = KnownWorkGroup(scene);
+  if (fixed.x > 0)
   {
-    return scene.Sampling.WorkGroup;
+    return fixed;
   }
   const auto* renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
   glm::ivec2& known = MeasuredWorkGroup(std::string(renderer ? renderer : "") + " " +
