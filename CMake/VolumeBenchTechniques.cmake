@@ -1,18 +1,26 @@
 # The machinery behind Plugin/Techniques.cmake. A row is
-#   volumebench_technique(<id> CLASS <Class> LABEL "<label in ParaView>" [SETTINGS <name>...])
+#   volumebench_technique(<id> CLASS <Class> LABEL "<label in ParaView>" [SETTINGS <name>...]
+#     [FOLDER <folder>] [REQUIRES <variable>])
 # and gives: the factory entry, the source pair Techniques/<Class>.h/.cxx, the representation type
 # in ParaView's list, its panel, and a case in every image test. SETTINGS are the properties that
-# the panel shows for this technique and not for all.
+# the panel shows for this technique and not for all. FOLDER, below the root, holds the pair in place of
+# Techniques/; a build in which the variable that REQUIRES names is false has no such technique.
 set(volumebench_technique_ids "")
 set(volumebench_technique_settings Skipping TerminationThreshold RaySetUp Jitter JitterSeed
-  WorkGroupShape OpenclDevice OpenclStorage VoxelOrder SliceExtent SliceOrder SliceTarget
-  SliceThreads)
+  WorkGroupShape OpenclDevice OpenclStorage PictureTransfer VoxelOrder SliceExtent SliceOrder
+  SliceTarget SliceThreads)
 
 function(volumebench_technique id)
-  cmake_parse_arguments(PARSE_ARGV 1 row "" "CLASS;LABEL" "SETTINGS")
+  cmake_parse_arguments(PARSE_ARGV 1 row "" "CLASS;LABEL;FOLDER;REQUIRES" "SETTINGS")
   if(NOT row_CLASS OR NOT row_LABEL OR row_UNPARSED_ARGUMENTS)
-    message(FATAL_ERROR
-      "volumebench_technique(${id}): CLASS and LABEL are needed, nothing else but SETTINGS")
+    message(FATAL_ERROR "volumebench_technique(${id}): CLASS and LABEL are needed, nothing else "
+      "but SETTINGS, FOLDER and REQUIRES")
+  endif()
+  if(row_REQUIRES AND NOT "${${row_REQUIRES}}")
+    return()
+  endif()
+  if(NOT row_FOLDER)
+    set(row_FOLDER Techniques)
   endif()
   foreach(setting IN LISTS row_SETTINGS)
     if(NOT "${setting}" IN_LIST volumebench_technique_settings)
@@ -27,6 +35,7 @@ function(volumebench_technique id)
   list(APPEND volumebench_technique_ids "${id}")
   set(volumebench_technique_ids "${volumebench_technique_ids}" PARENT_SCOPE)
   set("volumebench_class_${id}" "${row_CLASS}" PARENT_SCOPE)
+  set("volumebench_folder_${id}" "${row_FOLDER}" PARENT_SCOPE)
   set("volumebench_label_${id}" "${row_LABEL}" PARENT_SCOPE)
   set("volumebench_settings_${id}" "${row_SETTINGS}" PARENT_SCOPE)
 endfunction()
@@ -64,7 +73,7 @@ function(volumebench_generate_technique_table template source_variable)
   set(TECHNIQUE_ROWS "")
   foreach(id IN LISTS volumebench_technique_ids)
     set(class "${volumebench_class_${id}}")
-    string(APPEND TECHNIQUE_INCLUDES "#include \"Techniques/${class}.h\"\n")
+    string(APPEND TECHNIQUE_INCLUDES "#include \"${volumebench_folder_${id}}/${class}.h\"\n")
     string(APPEND TECHNIQUE_ROWS
       "    { \"${id}\", \"${volumebench_label_${id}}\",\n"
       "      []() -> std::unique_ptr<Technique> { return std::make_unique<${class}>(); } },\n")

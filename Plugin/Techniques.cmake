@@ -9,6 +9,9 @@ volumebench_technique(compute CLASS ComputeRayCast LABEL "Volume Compute"
 volumebench_technique(opencl CLASS OpenClRayCast LABEL "Volume OpenCL"
   SETTINGS Skipping TerminationThreshold Jitter JitterSeed WorkGroupShape
     OpenclDevice OpenclStorage)
+volumebench_technique(cuda CLASS CudaRayCast LABEL "Volume CUDA" FOLDER CUDA
+  REQUIRES VOLUMEBENCH_CUDA_FOUND
+  SETTINGS Skipping TerminationThreshold Jitter JitterSeed WorkGroupShape VoxelOrder PictureTransfer)
 volumebench_technique(slices CLASS Slices LABEL "Volume Slices"
   SETTINGS Skipping Jitter JitterSeed SliceExtent SliceOrder SliceTarget)
 volumebench_technique(slices-threaded CLASS SlicesThreaded LABEL "Volume Slices Threaded"

@@ -50,8 +50,10 @@ Contestant::Contestant(const std::string& id, const ContestantInput& input)
   : Id(id)
 {
   vtkSmartPointer<vtkVolumeMapper> mapper;
-  if (FindTechnique(id))
+  if (const TechniqueRow* row = FindTechnique(id))
   {
+    const std::string reason = row->Create()->WhyNoDevice();
+    this->Unsupported = reason.empty() ? "" : "technique '" + id + "' cannot run here: " + reason;
     this->Mapper = vtkSmartPointer<vtkVolumeBenchMapper>::New();
     this->Mapper->SetTechnique(id.c_str());
     this->Mapper->SetVectorMode(input.VectorMode);
@@ -72,7 +74,7 @@ Contestant::Contestant(const std::string& id, const ContestantInput& input)
     }
     throw std::runtime_error("there is no technique '" + id + "'; known are " + known);
   }
-  if (this->Unsupported.empty())
+  if (this->Mapper || this->Unsupported.empty())
   {
     mapper->SetBlendMode(input.BlendMode);
   }

@@ -43,7 +43,7 @@ public:
   /// Our mapper, null for a peer.
   vtkVolumeBenchMapper* GetMapper() { return this->Mapper; }
 
-  /// Why a peer cannot draw this input; empty when it can.
+  /// Why a peer cannot draw this input, or a technique has no device here; empty when it can.
   const std::string& GetUnsupported() const { return this->Unsupported; }
 
   /// Whether it is VTK's GPU mapper, whose samples can be counted.

@@ -103,6 +103,13 @@ const NameTable& VoxelOrderNames()
   return names;
 }
 
+const NameTable& PictureTransferNames()
+{
+  static const NameTable names("picture transfer",
+    { { "Register Once", 0 }, { "Register Each Frame", 1 }, { "Through Host", 2 } });
+  return names;
+}
+
 const NameTable& SliceExtentNames()
 {
   static const NameTable names(

@@ -44,6 +44,7 @@ VOLUMEBENCHBENCHMARK_EXPORT const NameTable& ReferenceNames();
 VOLUMEBENCHBENCHMARK_EXPORT const NameTable& OpenClStorageNames();
 VOLUMEBENCHBENCHMARK_EXPORT const NameTable& RaySetUpNames();
 VOLUMEBENCHBENCHMARK_EXPORT const NameTable& VoxelOrderNames();
+VOLUMEBENCHBENCHMARK_EXPORT const NameTable& PictureTransferNames();
 VOLUMEBENCHBENCHMARK_EXPORT const NameTable& SliceExtentNames();
 VOLUMEBENCHBENCHMARK_EXPORT const NameTable& SliceTargetNames();
 VOLUMEBENCHBENCHMARK_EXPORT const NameTable& SliceOrderNames();

@@ -147,6 +147,9 @@ const SettingRow Rows[] = {
   { "voxel_order", false,
     [](TechniqueSettings& s, const std::string& text)
     { s.VoxelOrder = VoxelOrderNames().NumberOf(text); } },
+  { "picture_transfer", false,
+    [](TechniqueSettings& s, const std::string& text)
+    { s.PictureTransfer = PictureTransferNames().NumberOf(text); } },
   { "slice_extent", false,
     [](TechniqueSettings& s, const std::string& text)
     { s.SliceExtent = SliceExtentNames().NumberOf(text); } },
@@ -248,6 +251,7 @@ void CheckTechniqueSettings(const TechniqueSettings& settings)
   }
   OpenClStorageNames().NameOf(settings.OpenClStorage);
   VoxelOrderNames().NameOf(settings.VoxelOrder);
+  PictureTransferNames().NameOf(settings.PictureTransfer);
   SliceExtentNames().NameOf(settings.SliceExtent);
   SliceThreadsNames().NameOf(settings.SliceThreads);
   SliceTargetNames().NameOf(settings.SliceTarget);
@@ -270,6 +274,7 @@ void ApplySettings(const TechniqueSettings& settings, vtkVolumeBenchMapper& mapp
   mapper.SetOpenClDevice(settings.OpenClDevice.c_str());
   mapper.SetOpenClStorage(settings.OpenClStorage);
   mapper.SetVoxelOrder(settings.VoxelOrder);
+  mapper.SetPictureTransfer(settings.PictureTransfer);
   mapper.SetSliceExtent(settings.SliceExtent);
   mapper.SetSliceThreads(settings.SliceThreads);
   mapper.SetSliceTarget(settings.SliceTarget);

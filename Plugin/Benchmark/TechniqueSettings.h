@@ -27,6 +27,7 @@ struct TechniqueSettings
   std::string OpenClDevice = "Auto";
   int OpenClStorage = 0;
   int VoxelOrder = 0;
+  int PictureTransfer = 0;
   int SliceExtent = 0;
   int SliceThreads = 0;
   int SliceTarget = 0;
@@ -62,9 +63,9 @@ struct Variant
 /// Reads "ID; name=value; name=value" with the names integrator, step_voxels,
 /// termination_threshold, skipping (true or false), macrocell_voxels, jitter (true or false),
 /// jitter_seed, table_size, ray_set_up, work_group_shape, opencl_device, opencl_storage,
-/// voxel_order, slice_extent, slice_threads, slice_target, slice_order and, for peers,
-/// sample_distance_voxels. Of an earlier measurement: frames_ms and frames_gpu_ms (numbers with
-/// spaces between), error_known. Throws std::runtime_error that quotes what it cannot read.
+/// picture_transfer, voxel_order, slice_extent, slice_threads, slice_target, slice_order and, for
+/// peers, sample_distance_voxels. Of an earlier measurement: frames_ms and frames_gpu_ms (numbers
+/// with spaces between), error_known. Throws std::runtime_error that quotes what it cannot read.
 VOLUMEBENCHBENCHMARK_EXPORT Variant ParseVariant(const std::string& text);
 
 /// `settings` with the values of a variant in place. Throws for unknown names and values.

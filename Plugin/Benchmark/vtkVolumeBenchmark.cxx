@@ -176,6 +176,7 @@ volumebench::ExperimentSettings vtkVolumeBenchmark::MakeSettings() const
   settings.Own.OpenClDevice = this->OpenClDevice;
   settings.Own.OpenClStorage = this->OpenClStorage;
   settings.Own.VoxelOrder = this->VoxelOrder;
+  settings.Own.PictureTransfer = this->PictureTransfer;
   settings.Own.SliceExtent = this->SliceExtent;
   settings.Own.SliceThreads = this->SliceThreads;
   settings.Own.SliceTarget = this->SliceTarget;

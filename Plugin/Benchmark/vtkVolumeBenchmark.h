@@ -116,6 +116,8 @@ public:
   vtkGetMacro(OpenClStorage, int);
   vtkSetMacro(VoxelOrder, int);
   vtkGetMacro(VoxelOrder, int);
+  vtkSetMacro(PictureTransfer, int);
+  vtkGetMacro(PictureTransfer, int);
   vtkSetMacro(SliceExtent, int);
   vtkGetMacro(SliceExtent, int);
   vtkSetMacro(SliceThreads, int);
@@ -227,6 +229,7 @@ protected:
   std::string OpenClDevice = "Auto";
   int OpenClStorage = 0;
   int VoxelOrder = 0;
+  int PictureTransfer = 0;
   int SliceExtent = 0;
   int SliceThreads = 0;
   int SliceTarget = 0;

@@ -73,7 +73,10 @@ TECHNIQUE_SETTINGS = {
         "OpenclStorage", ("opencl",), ("Auto", "Images", "Buffers")
     ),
     "voxel_order": TechniqueSetting(
-        "VoxelOrder", ("compute",), ("Naive", "Block Shape", "In-Place Rotation")
+        "VoxelOrder", ("compute", "cuda"), ("Naive", "Block Shape", "In-Place Rotation")
+    ),
+    "picture_transfer": TechniqueSetting(
+        "PictureTransfer", ("cuda",), ("Register Once", "Register Each Frame", "Through Host")
     ),
     "slice_extent": TechniqueSetting(
         "SliceExtent", _SLICING, ("Vertex Depth", "Vertex Distance", "Central Ray")

@@ -253,6 +253,7 @@ void vtkVolumeBenchMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "OpenClDevice: " << this->OpenClDevice << "\n";
   os << indent << "OpenClStorage: " << this->OpenClStorage << "\n";
   os << indent << "VoxelOrder: " << this->VoxelOrder << "\n";
+  os << indent << "PictureTransfer: " << this->PictureTransfer << "\n";
   os << indent << "SliceExtent: " << this->SliceExtent << "\n";
   os << indent << "SliceThreads: " << this->SliceThreads << "\n";
   os << indent << "SliceTarget: " << this->SliceTarget << "\n";

@@ -156,8 +156,8 @@ public:
 
   ///@{
   /**
-   * Techniques compute and opencl: pixels of a work group as "WIDTHxHEIGHT": one of the 18 shapes from 4x1 to
-   * 16x8 in the table of Sans & Carmona 2016, or 16x16 or 32x16, which they tried as well; or
+   * Techniques compute, opencl and cuda: pixels of a work group as "WIDTHxHEIGHT": one of the 18
+   * shapes from 4x1 to 16x8 of Sans & Carmona 2016, or 16x16 or 32x16, which they tried as well; or
    * "Auto" (default), which measures a few of them once per class of scene, or for OpenCL on a CPU
    * takes 16x8.
    */
@@ -179,12 +179,21 @@ public:
 
   ///@{
   /**
-   * Technique compute: how the view's path through the volume's memory is shortened (Misaki, Ino &
+   * Techniques compute and cuda: how a view's path through memory is shortened (Misaki, Ino &
    * Hagihara 2017). 0: Naive (default); 1: BlockShape, work groups shaped by the view in place of
-   * WorkGroupShape; 2: InPlaceRotation, voxels also turned on the device, which compute refuses.
+   * WorkGroupShape; 2: InPlaceRotation, voxels also turned on the device (cuda).
    */
   vtkSetMacro(VoxelOrder, int);
   vtkGetMacro(VoxelOrder, int);
+  ///@}
+
+  ///@{
+  /**
+   * Technique cuda: how its picture gets to OpenGL. 0: RegisterOnce (default), in a buffer of both;
+   * 1: RegisterEachFrame, as Nikolov 2015 did, for comparison; 2: ThroughHost, for other devices.
+   */
+  vtkSetMacro(PictureTransfer, int);
+  vtkGetMacro(PictureTransfer, int);
   ///@}
 
   ///@{
@@ -218,9 +227,7 @@ public:
   ///@}
 
   ///@{
-  /**
-   * Techniques slices and slices-threaded: 0: front to back (default), 1: back to front.
-   */
+  /** Techniques slices and slices-threaded: 0: front to back (default), 1: back to front. */
   vtkSetMacro(SliceOrder, int);
   vtkGetMacro(SliceOrder, int);
   ///@}
@@ -272,9 +279,7 @@ public:
   ///@}
 
   ///@{
-  /**
-   * For measuring: times each stage of a frame, which makes the frame slower. Default off.
-   */
+  /** For measuring: times each stage of a frame, which makes the frame slower. Default off. */
   vtkSetMacro(TimeStages, bool);
   vtkGetMacro(TimeStages, bool);
   vtkBooleanMacro(TimeStages, bool);
@@ -303,9 +308,7 @@ public:
   using Superclass::GetBounds;
   double* GetBounds() override;
 
-  /**
-   * Why the last render drew nothing; empty when it drew.
-   */
+  /** Why the last render drew nothing; empty when it drew. */
   const std::string& GetFailure() const;
 
   /**
@@ -385,6 +388,7 @@ protected:
   std::string OpenClDevice = "Auto";
   int OpenClStorage = 0;
   int VoxelOrder = 0;
+  int PictureTransfer = 0;
   int SliceExtent = 0;
   int SliceThreads = 0;
   int SliceTarget = 0;

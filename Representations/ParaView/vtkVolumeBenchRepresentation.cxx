@@ -72,6 +72,7 @@ vtkVolumeBenchForwardMacro(WorkGroupShape, const char*);
 vtkVolumeBenchForwardMacro(OpenClDevice, const char*);
 vtkVolumeBenchForwardMacro(OpenClStorage, int);
 vtkVolumeBenchForwardMacro(VoxelOrder, int);
+vtkVolumeBenchForwardMacro(PictureTransfer, int);
 vtkVolumeBenchForwardMacro(SliceExtent, int);
 vtkVolumeBenchForwardMacro(SliceOrder, int);
 vtkVolumeBenchForwardMacro(SliceTarget, int);

@@ -66,6 +66,7 @@ public:
   void SetOpenClDevice(const char* device);
   void SetOpenClStorage(int storage);
   void SetVoxelOrder(int number);
+  void SetPictureTransfer(int number);
   void SetSliceExtent(int extent);
   void SetSliceOrder(int order);
   void SetSliceTarget(int target);

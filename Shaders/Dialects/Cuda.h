@@ -27,9 +27,15 @@ typedef unsigned int uint;
 
 #include "Shared/SceneBlock.h"
 #include "Shared/Vectors.h"
+#ifdef VOLUME_IN_ORDER
+#include "Shared/VoxelOrder.h"
+#endif
 
+// CUDA/CudaScene.h has the same members in the same order, whatever the features.
 struct BackendScene : SceneBlock
 {
+  vec4 orderX; // with VOLUME_IN_ORDER
+  vec4 orderZ;
   cudaTextureObject_t volumeTexture;
   cudaTextureObject_t tableTexture;
   cudaTextureObject_t prefixTexture;          // with WITH_SEGMENT; not filtered nor normalized
@@ -40,9 +46,20 @@ struct BackendScene : SceneBlock
   cudaTextureObject_t cellExtremeTexture;     // with WITH_SKIPPING and an extreme, the same
 };
 
+// Where the volume's texture has what the grid has at a position.
+FUNC vec3 volumePosition(SCENE_PARAM vec3 position)
+{
+#ifdef VOLUME_IN_ORDER
+  return orderedPosition(scene.orderX, scene.orderZ, position);
+#else
+  return position;
+#endif
+}
+
 #if WITH_DIRECT_COLOR || WITH_OPACITY_CHANNEL
 FUNC vec4 texelAt(SCENE_PARAM vec3 position)
 {
+  position = volumePosition(SCENE position);
 #if WITH_DIRECT_COLOR
   return tex3D<float4>(scene.volumeTexture, position.x, position.y, position.z);
 #else
@@ -55,6 +72,7 @@ FUNC vec4 texelAt(SCENE_PARAM vec3 position)
 // The component that opacity is looked up by.
 FUNC real fieldAt(SCENE_PARAM vec3 position)
 {
+  position = volumePosition(SCENE position);
 #if WITH_DIRECT_COLOR
   return tex3D<float4>(scene.volumeTexture, position.x, position.y, position.z).w;
 #elif WITH_OPACITY_CHANNEL
@@ -77,12 +95,12 @@ FUNC vec4 tableAt(SCENE_PARAM real coordinate)
 #if WITH_ONE_COLOR
 FUNC int prefixAt(SCENE_PARAM int index)
 {
-  return tex1Dfetch<int>(scene.prefixTexture, index);
+  return tex1D<int>(scene.prefixTexture, index + 0.5f);
 }
 #else
 FUNC ivec4 prefixAt(SCENE_PARAM int index)
 {
-  return tex1Dfetch<int4>(scene.prefixTexture, index);
+  return tex1D<int4>(scene.prefixTexture, index + 0.5f);
 }
 #endif
 #endif

@@ -21,7 +21,7 @@ VECTOR_FUNC float4 operator*(float s, float4 a)
 }
 VECTOR_FUNC float dot(float3 a, float3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 VECTOR_FUNC float length(float3 a) { return sqrtf(dot(a, a)); }
-VECTOR_FUNC float3 normalize(float3 a) { return a / length(a); }
+VECTOR_FUNC float3 normalize(float3 a) { return (1.0f / length(a)) * a; }
 VECTOR_FUNC float3 max(float3 a, float3 b)
 {
   return make_float3(fmaxf(a.x, b.x), fmaxf(a.y, b.y), fmaxf(a.z, b.z));

@@ -44,6 +44,7 @@ SETTINGS = {
     "OpenclDevice": "Portable Computing Language: none",
     "OpenclStorage": "Images",
     "VoxelOrder": "Block Shape",
+    "PictureTransfer": "Register Each Frame",
     "SliceExtent": "Central Ray",
     "SliceOrder": "Back to Front",
     "SliceTarget": "RGBA16F",

@@ -1,5 +1,6 @@
 """What every end-to-end test shares: plugin, views, float pictures, caught errors, a small runner."""
 
+import functools
 import itertools
 import os
 import re
@@ -23,6 +24,7 @@ from vtkmodules.vtkIOImage import vtkPNGReader
 PLUGIN = os.environ["VOLUMEBENCH_PLUGIN"]
 LABEL = os.environ.get("VOLUMEBENCH_LABEL", "Volume Single Pass")
 SIZE = (200, 200)
+SKIPPED = 77  # what CTest takes for a skipped test
 REPRESENTATION = "UniformGridRepresentation"
 NOT_DRAWN = "Volume not drawn"
 TECHNIQUE_LIST = Path(__file__).resolve().parents[2] / "Plugin" / "Techniques.cmake"
@@ -57,10 +59,34 @@ ERRORS = ErrorLog()
 
 
 def technique_labels() -> list[str]:
-    """Return the labels of all our representations, as Plugin/Techniques.cmake lists them."""
+    """Return the labels of all our representations that this build has and this machine can run."""
+    return [label for label in _listed_labels() if not why_not_here(label)]
+
+
+def _listed_labels() -> dict[str, bool]:
+    """Return the labels in Plugin/Techniques.cmake, and whether they are in some builds only."""
     text = TECHNIQUE_LIST.read_text(encoding="utf-8")
-    rows = r'^\s*volumebench_technique\([^)]*\bLABEL\s+"([^"]+)"'
-    return re.findall(rows, text, re.MULTILINE)
+    rows = r'^\s*volumebench_technique\([^)]*\bLABEL\s+"([^"]+)"([^)]*)\)'
+    return {
+        label: "REQUIRES" in rest for label, rest in re.findall(rows, text, re.MULTILINE)
+    }
+
+
+@functools.cache
+def why_not_here(label: str) -> str:
+    """Return why a technique on a device of its own cannot run here; empty when it can."""
+    if not _listed_labels().get(label, False):
+        return ""
+    view = simple.CreateRenderView()
+    with ErrorLog() as log:
+        display = simple.Show(simple.Wavelet(), view, REPRESENTATION)
+        if label not in display.GetProperty("Representation").Available:
+            return f"{label} is not in this build"
+        display.SetRepresentationType(label)
+        simple.Render(view)
+        said = [text for text in log.take() if "cannot run here" in text]
+    simple.Delete(view)
+    return said[0] if said else ""
 
 
 def labels_named_by(display: Any, name: str) -> set[str]:
@@ -284,6 +310,11 @@ def run_checks(names: dict[str, Any]) -> None:
     failed: list[str] = []
     ran = 0
     load_plugin()
+    reasons = {label: why_not_here(label) for label in _listed_labels()}
+    reason = reasons.get(LABEL, "")
+    if reason and "MISSING" not in names:
+        print(f"NOT RUN: {reason}", flush=True)
+        os._exit(SKIPPED)
     for check in checks:
         if only and check.__name__ not in only:
             continue

@@ -98,6 +98,10 @@ protected:
     {
       GTEST_SKIP() << "the exact technique has one texture, its picture";
     }
+    if (HasDeviceOfItsOwn(GetParam()))
+    {
+      GTEST_SKIP() << "objects of OpenGL are counted";
+    }
   }
 
   vtkSmartPointer<vtkVolumeProperty> Property;

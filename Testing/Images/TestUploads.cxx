@@ -39,6 +39,10 @@ protected:
     {
       GTEST_SKIP() << "draws on the processor";
     }
+    if (HasDeviceOfItsOwn(GetParam()))
+    {
+      GTEST_SKIP() << "what goes to OpenGL is counted";
+    }
     this->Scene = std::make_unique<RenderScene>(GetParam(), this->Image, this->Property);
     // Which shape is best may depend on the view, and would be found by trying.
     this->Scene->Mapper->SetWorkGroupShape("8x8");

@@ -98,7 +98,7 @@ std::vector<std::string> CompilerWords(const std::string& extension)
   }
   if (extension == ".cu")
   {
-    return { CUDA_COMPILER, "-std=c++17", "-arch=sm_75", "-allow-unsupported-compiler", "-Werror",
+    return { CUDA_COMPILER, "-std=c++17", "-arch=sm_90", "-allow-unsupported-compiler", "-Werror",
       "all-warnings", "-ptx", "-o", "/dev/null" };
   }
   if (extension == ".cxx")
@@ -121,7 +121,7 @@ std::vector<std::string> KernelEntries()
     }
   }
   entries.insert(entries.end(),
-    { "ProbeBuffers.cl", "ProbeNearest.cl", "Probe.cu", "ProbeFloat.cxx", "ProbeDouble.cxx" });
+    { "ProbeBuffers.cl", "ProbeNearest.cl", "ProbeFloat.cxx", "ProbeDouble.cxx" });
   return entries;
 }
 
@@ -129,6 +129,11 @@ std::string WhyNotCompiled(const std::string& entry)
 {
   const bool missing = ExtensionOf(entry) == ".cu" && std::string(CUDA_COMPILER).empty();
   return missing ? "not run: no nvcc" : "";
+}
+
+bool HasFeatures(const std::string& entry)
+{
+  return SpecializeKernel(entry, "", FindText).Source.find("WITH_") != std::string::npos;
 }
 
 KernelVerdict CompileKernel(const std::string& entry, const FeatureSet& features)

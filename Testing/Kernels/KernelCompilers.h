@@ -20,6 +20,9 @@ std::vector<std::string> KernelEntries();
 /// Empty when the compiler of the entry's language is there; else the sentence that says it is not.
 std::string WhyNotCompiled(const std::string& entry);
 
+/// Whether any feature is named in the text of an entry.
+bool HasFeatures(const std::string& entry);
+
 KernelVerdict CompileKernel(const std::string& entry, const volumebench::FeatureSet& features);
 
 /// What the compiler sees of a GLSL entry: no comments, nothing that a feature leaves out. Throws

@@ -10,12 +10,29 @@
 
 namespace volumebench::test
 {
+/// Whether the technique draws on a device beside OpenGL's, where tests count no objects.
+inline bool HasDeviceOfItsOwn(const std::string& technique)
+{
+  return technique == "cuda";
+}
+
+/// Why this machine cannot run a technique on a device of its own; empty when it can. OpenGL is there
+/// in every test that draws.
+inline std::string WhyNotHere(const std::string& technique)
+{
+  return FindTechnique(technique)->Create()->WhyNoDevice();
+}
+
+/// Those that this machine can run; TestTechniques.cxx tells of the others.
 inline std::vector<std::string> AllTechniques()
 {
   std::vector<std::string> ids;
   for (const TechniqueRow& row : TechniqueTable())
   {
-    ids.emplace_back(row.Id);
+    if (WhyNotHere(row.Id).empty())
+    {
+      ids.emplace_back(row.Id);
+    }
   }
   return ids;
 }

@@ -1,6 +1,6 @@
 #include "MachineContext.h"
 
-#include "OpenCl/OpenClDevices.h"
+#include "Techniques/TechniqueTable.h"
 
 #include "vtkVersion.h"
 
@@ -64,14 +64,13 @@ Json CoreCount()
 
 Json MachineContext(const OpenGlNames& names, bool openClIsUsed)
 {
-  const bool openCl = openClIsUsed && !OpenClDevices().empty();
   return Json{ { "date", UtcNow() }, { "host", TextOrNull(HostName()) },
     { "cpu", TextOrNull(CpuName()) }, { "cores", CoreCount() },
     { "gl_renderer", TextOrNull(names.Renderer) }, { "gl_version", TextOrNull(names.Version) },
     { "paraview", nullptr }, { "vtk", vtkVersion::GetVTKVersion() },
     { "plugin", VOLUMEBENCH_VERSION }, { "build_type", TextOrNull(VOLUMEBENCH_BUILD_TYPE) },
-    { "cuda_device", nullptr },
-    { "opencl_device", openCl ? Json(OpenClDevices().front().Name) : Json() } };
+    { "cuda_device", TextOrNull(DeviceOfTechnique("cuda")) },
+    { "opencl_device", TextOrNull(openClIsUsed ? DeviceOfTechnique("opencl") : "") } };
 }
 
 double FreeMemoryGb()

@@ -3,6 +3,8 @@
 #ifndef volumebench_DeviceTables_h
 #define volumebench_DeviceTables_h
 
+#include "VolumeBenchEngineModule.h"
+
 #include "Scene/Features.h"
 #include "Scene/Scene.h"
 
@@ -12,14 +14,15 @@
 namespace volumebench
 {
 /// The extinctions alone, for Feature::OneColor.
-std::vector<float> ExtinctionsOf(const SharedTable<glm::vec4>& entries);
+VOLUMEBENCHENGINE_EXPORT std::vector<float> ExtinctionsOf(const SharedTable<glm::vec4>& entries);
 
 /// Prefix integrals as Shaders/Shared/Segment.h has them for Feature::OneColor: marked entries are
 /// complements.
-std::vector<std::int32_t> OneColorPrefix(const SharedTable<glm::ivec4>& entries);
+VOLUMEBENCHENGINE_EXPORT std::vector<std::int32_t> OneColorPrefix(
+  const SharedTable<glm::ivec4>& entries);
 
 /// The features among these that decide which tables there are.
-FeatureSet TablesOf(const FeatureSet& features);
+VOLUMEBENCHENGINE_EXPORT FeatureSet TablesOf(const FeatureSet& features);
 }
 
 #endif

@@ -24,6 +24,7 @@ ChangeStamp PictureStampOf(const Scene& scene)
   ExtendStamp(stamp, sampling.WorkGroup.x);
   ExtendStamp(stamp, sampling.WorkGroup.y);
   ExtendStamp(stamp, sampling.Order);
+  ExtendStamp(stamp, sampling.Transfer);
   ExtendStamp(stamp, sampling.Slices.Extent);
   ExtendStamp(stamp, sampling.Slices.Target);
   ExtendStamp(stamp, sampling.Slices.Threads);

@@ -213,6 +213,14 @@ enum class VoxelOrder
   InPlaceRotation // and voxels turned on the device where rays run along the smallest stride
 };
 
+/// How a picture that CUDA makes gets to OpenGL.
+enum class PictureTransfer
+{
+  RegisterOnce,      // in a buffer of both
+  RegisterEachFrame, // the same, made known to CUDA anew for every picture
+  ThroughHost
+};
+
 struct Sampling
 {
   Integrator Integration = Integrator::Midpoint;
@@ -226,6 +234,7 @@ struct Sampling
   double TerminationThreshold = 0.0; // remaining transmittance at which a ray stops
   glm::ivec2 WorkGroup{ 0 };         // pixels of a compute work group; 0: to be found by measuring
   VoxelOrder Order = VoxelOrder::Naive;
+  PictureTransfer Transfer = PictureTransfer::RegisterOnce;
   Slicing Slices;
   OpenClChoice OpenCl;
   ReferenceMethod Method = ReferenceMethod::CellExact; // of technique reference

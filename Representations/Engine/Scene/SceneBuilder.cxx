@@ -82,6 +82,8 @@ Sampling BuildSampling(vtkVolumeBenchMapper* mapper)
   sampling.MacrocellVoxels = mapper->GetMacrocellVoxels();
   sampling.WorkGroup = WorkGroupOf(mapper->GetWorkGroupShape());
   sampling.Order = static_cast<VoxelOrder>(Checked(mapper->GetVoxelOrder(), 2, "voxel order"));
+  sampling.Transfer =
+    static_cast<PictureTransfer>(Checked(mapper->GetPictureTransfer(), 2, "picture transfer"));
   sampling.Slices = BuildSlicing(mapper);
   sampling.OpenCl = { mapper->GetOpenClDevice(),
     static_cast<OpenClStorage>(Checked(mapper->GetOpenClStorage(), 2, "OpenCL storage")) };

@@ -82,11 +82,9 @@ void ComputeRayCast::Draw(
   }
   const glm::ivec4 box = BoxRectangle(scene);
   this->Picture.Resize(glm::ivec2(box.z, box.w), GL_RGBA32F);
-  const glm::ivec2 workGroup = this->ChooseWorkGroup(scene, window, rectangle);
-  const glm::ivec2 first(rectangle.x - box.x, rectangle.y - box.y);
-  const glm::ivec2 size(rectangle.z, rectangle.w);
-  this->GetFrameStages().OnDevice(
-    "dispatch", [&] { this->Dispatch(window, workGroup, first, first + size); });
+  const PicturePart part = PartOf(box, rectangle);
+  const glm::ivec2 workGroup = this->ChooseWorkGroup(scene, window, part);
+  this->GetFrameStages().OnDevice("dispatch", [&] { this->Dispatch(window, workGroup, part); });
 
   const GlProgram& display = this->ProgramOf({ "Viewport.vert", "Picture.frag" });
   TextureUnits units(window);
@@ -97,7 +95,7 @@ void ComputeRayCast::Draw(
 }
 
 void ComputeRayCast::Dispatch(
-  vtkOpenGLRenderWindow* window, glm::ivec2 workGroup, glm::ivec2 first, glm::ivec2 end)
+  vtkOpenGLRenderWindow* window, glm::ivec2 workGroup, const PicturePart& part)
 {
   const GlProgram& program = this->RayCastOf(workGroup);
   TextureUnits units(window);
@@ -108,18 +106,18 @@ void ComputeRayCast::Dispatch(
     program.SetUnit("rayDirectionTexture", units.Attach(this->Faces.GetDirections()));
   }
   program.SetUnit("picture", PictureUnit);
-  program.SetPair("firstTexel", first.x, first.y);
-  program.SetPair("endTexel", end.x, end.y);
+  program.SetPair("firstTexel", part.First.x, part.First.y);
+  program.SetPair("endTexel", part.End.x, part.End.y);
   glBindImageTexture(
     PictureUnit, this->Picture.GetTexture().GetHandle(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA32F);
-  const glm::ivec2 groups = (end - first + workGroup - 1) / workGroup;
+  const glm::ivec2 groups = (part.End - part.First + workGroup - 1) / workGroup;
   glDispatchCompute(groups.x, groups.y, 1);
   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
   glBindImageTexture(PictureUnit, 0, 0, GL_FALSE, 0, GL_READ_ONLY, GL_RGBA32F);
 }
 
 glm::ivec2 ComputeRayCast::ChooseWorkGroup(
-  const Scene& scene, vtkOpenGLRenderWindow* window, const glm::ivec4& rectangle)
+  const Scene& scene, vtkOpenGLRenderWindow* window, const PicturePart& part)
 {
   const glm::ivec2 fixed = KnownWorkGroup(scene);
   if (fixed.x > 0)
@@ -127,35 +125,19 @@ glm::ivec2 ComputeRayCast::ChooseWorkGroup(
     return fixed;
   }
   const auto* renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
-  glm::ivec2& known = MeasuredWorkGroup(std::string(renderer ? renderer : "") + " " +
-    this->GetFeatures().to_string() + " " + SceneClass(scene, rectangle));
-  if (known.x == 0)
-  {
-    known = this->MeasureWorkGroups(scene, window, rectangle);
-  }
-  return known;
-}
-
-glm::ivec2 ComputeRayCast::MeasureWorkGroups(
-  const Scene& scene, vtkOpenGLRenderWindow* window, const glm::ivec4& rectangle)
-{
-  constexpr int SmallestSide = 64;
-  const glm::ivec2 size(rectangle.z, rectangle.w);
-  const glm::ivec2 part = glm::min(size, glm::max(size / 3, glm::ivec2(SmallestSide)));
-  const glm::ivec4 box = BoxRectangle(scene);
-  const glm::ivec2 first = glm::ivec2(rectangle.x - box.x, rectangle.y - box.y) + (size - part) / 2;
   GlTimer timer;
-  std::vector<TimedWorkGroup> measured;
-  for (const glm::ivec2 shape : WorkGroupCandidates(scene))
-  {
-    this->Dispatch(window, shape, first, first + glm::ivec2(1)); // compiles and warms up
-    timer.Start();
-    this->Dispatch(window, shape, first, first + part);
-    timer.Stop();
-    measured.push_back({ shape, timer.ElapsedMs() });
-  }
+  const glm::ivec2 found = FindWorkGroup(scene, part,
+    std::string(renderer ? renderer : "") + " " + this->GetFeatures().to_string(),
+    [&](glm::ivec2 shape, const PicturePart& middle)
+    {
+      this->Dispatch(window, shape, { middle.First, middle.First + 1 }); // compiles and warms up
+      timer.Start();
+      this->Dispatch(window, shape, middle);
+      timer.Stop();
+      return timer.ElapsedMs();
+    });
   timer.Release();
-  return FastestWorkGroup(measured);
+  return found;
 }
 
 void ComputeRayCast::ReleaseOwn()

@@ -3,6 +3,7 @@
 #define volumebench_ComputeRayCast_h
 
 #include "Techniques/OpenGlTechnique.h"
+#include "Techniques/WorkGroupChoice.h"
 
 #include <glm/vec2.hpp>
 
@@ -27,16 +28,12 @@ protected:
 private:
   const GlProgram& RayCastOf(glm::ivec2 workGroup);
 
-  /// Casts the rays of the texels from `first` to before `end` of the picture.
-  void Dispatch(
-    vtkOpenGLRenderWindow* window, glm::ivec2 workGroup, glm::ivec2 first, glm::ivec2 end);
+  /// Casts the rays of a part of the picture.
+  void Dispatch(vtkOpenGLRenderWindow* window, glm::ivec2 workGroup, const PicturePart& part);
 
-  /// The scene's shape, or for Auto the fastest of a few, measured once for each class of scene on
-  /// the middle of the picture.
+  /// The scene's shape, or for Auto the fastest of a few.
   glm::ivec2 ChooseWorkGroup(
-    const Scene& scene, vtkOpenGLRenderWindow* window, const glm::ivec4& rectangle);
-  glm::ivec2 MeasureWorkGroups(
-    const Scene& scene, vtkOpenGLRenderWindow* window, const glm::ivec4& rectangle);
+    const Scene& scene, vtkOpenGLRenderWindow* window, const PicturePart& part);
 
   BoxFaces Faces;
   OffscreenTarget Picture;

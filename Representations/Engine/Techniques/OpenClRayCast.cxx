@@ -71,9 +71,9 @@ void CheckWorkGroup(const OpenClSession& session, cl_kernel kernel, glm::ivec2 s
 }
 }
 
-std::string OpenClRayCast::WhyUnsupported(vtkOpenGLRenderWindow*) const
+std::string OpenClRayCast::GetDeviceName() const
 {
-  return WhyNoOpenClDevice();
+  return OpenClDevices().empty() ? std::string() : OpenClDevices().front().Name;
 }
 
 FeatureSet OpenClRayCast::FeaturesFor(const Scene& scene) const

@@ -13,7 +13,9 @@ namespace volumebench
 class OpenClRayCast : public OpenGlTechnique
 {
 public:
-  std::string WhyUnsupported(vtkOpenGLRenderWindow* window) const override;
+  std::string WhyNoDevice() const override { return WhyNoOpenClDevice(); }
+  /// The device of "Auto".
+  std::string GetDeviceName() const override;
   SetUpCosts GetSetUpCosts() const override;
 
 protected:

@@ -39,8 +39,16 @@ class Technique
 public:
   virtual ~Technique() = default;
 
-  /// Empty when this machine can run the technique; else the sentence that says why not.
-  virtual std::string WhyUnsupported(vtkOpenGLRenderWindow*) const { return {}; }
+  /// Empty when this machine can run the technique; else the sentence that says why not. The context is
+  /// current.
+  virtual std::string WhyUnsupported(vtkOpenGLRenderWindow*) const { return this->WhyNoDevice(); }
+
+  /// Empty when there is the device that the technique needs beside OpenGL's, if it needs one; else the
+  /// sentence that says why not. Asks no context.
+  virtual std::string WhyNoDevice() const { return {}; }
+
+  /// What results say of a device that is not OpenGL's; empty for a technique without one.
+  virtual std::string GetDeviceName() const { return {}; }
 
   /// Uploads and compiles what the scene changed. Throws SceneError or KernelError.
   virtual void Prepare(const Scene& scene, vtkOpenGLRenderWindow* window) = 0;

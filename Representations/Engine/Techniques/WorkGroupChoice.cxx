@@ -2,6 +2,7 @@
 
 #include "Gpu/VolumeUpload.h"
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
@@ -96,5 +97,25 @@ glm::ivec2& MeasuredWorkGroup(const std::string& sceneClass)
 {
   static std::map<std::string, glm::ivec2> shapes; // for the life of the process
   return shapes.try_emplace(sceneClass, 0, 0).first->second;
+}
+
+glm::ivec2 FindWorkGroup(const Scene& scene, const PicturePart& part, const std::string& device,
+  const std::function<double(glm::ivec2, const PicturePart&)>& measureMs)
+{
+  constexpr int SmallestSide = 64;
+  const glm::ivec2 size = part.End - part.First;
+  glm::ivec2& known = MeasuredWorkGroup(device + " " + SceneClass(scene, { part.First, size }));
+  if (known.x == 0)
+  {
+    const glm::ivec2 sides = glm::min(size, glm::max(size / 3, glm::ivec2(SmallestSide)));
+    const glm::ivec2 first = part.First + (size - sides) / 2;
+    std::vector<TimedWorkGroup> measured;
+    for (const glm::ivec2 shape : WorkGroupCandidates(scene))
+    {
+      measured.push_back({ shape, measureMs(shape, { first, first + sides }) });
+    }
+    known = FastestWorkGroup(measured);
+  }
+  return known;
 }
 }

@@ -8,6 +8,7 @@
 
 #include "Scene/Scene.h"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,20 @@ struct TimedWorkGroup
   glm::ivec2 Shape{ 0 };
   double Ms = 0.0;
 };
+
+/// Texels of a picture of the volume's rectangle from `First` to before `End`.
+struct PicturePart
+{
+  glm::ivec2 First{ 0 };
+  glm::ivec2 End{ 0 };
+};
+
+/// Of a picture of the whole box, the part that covers a rectangle of the window in it.
+inline PicturePart PartOf(const glm::ivec4& box, const glm::ivec4& rectangle)
+{
+  const glm::ivec2 first(rectangle.x - box.x, rectangle.y - box.y);
+  return { first, first + glm::ivec2(rectangle.z, rectangle.w) };
+}
 
 /// The paper's shape for a volume of this many bytes.
 VOLUMEBENCHENGINE_EXPORT glm::ivec2 SuggestedWorkGroup(std::size_t volumeBytes);
@@ -34,6 +49,13 @@ VOLUMEBENCHENGINE_EXPORT std::string SceneClass(const Scene& scene, const glm::i
 
 /// The shape that was found for a class before; (0, 0), to be filled in, when there is none.
 VOLUMEBENCHENGINE_EXPORT glm::ivec2& MeasuredWorkGroup(const std::string& sceneClass);
+
+/// The fastest shape for a part of the picture, found by measuring once for each class of scene and
+/// `device`, which names all else that it depends on. `measureMs` gives the time of one shape on
+/// the middle of that part.
+VOLUMEBENCHENGINE_EXPORT glm::ivec2 FindWorkGroup(const Scene& scene, const PicturePart& part,
+  const std::string& device,
+  const std::function<double(glm::ivec2 shape, const PicturePart& middle)>& measureMs);
 }
 
 #endif
