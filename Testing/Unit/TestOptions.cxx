@@ -52,5 +52,9 @@ TEST(Options, FaultsNameTheArgument)
   ExpectFault({ "a.json", "--calibrate" }, "no study");
   ExpectFault({ "--calibrate", "--data", "x" }, "--data");
   EXPECT_EQ(FaultOf({ "--calibrate" }), "");
+  ExpectFault({ "--check-cuda", "--calibrate" }, "two runs");
+  ExpectFault({ "a.json", "--check-cuda" }, "--check-cuda takes no study");
+  ExpectFault({ "--check-cuda", "--techniques", "cuda" }, "do not apply to --check-cuda");
+  EXPECT_EQ(FaultOf({ "--check-cuda", "--out", "x" }), "");
   EXPECT_EQ(FaultOf({ "--help" }), "");
 }

@@ -44,20 +44,25 @@ void Check(const Options& options)
   {
     return;
   }
-  if (options.Calibrate == !options.Study.empty())
+  if (options.Calibrate && options.CheckCuda)
   {
-    Fail(
-      options.Calibrate ? "--calibrate takes no study" : "a study file or --calibrate is needed");
+    Fail("--calibrate and --check-cuda are two runs");
   }
-  if (options.Calibrate && (!options.Data.empty() || !options.Techniques.empty()))
+  const bool alone = options.Calibrate || options.CheckCuda;
+  const std::string what = options.CheckCuda ? "--check-cuda" : "--calibrate";
+  if (alone == !options.Study.empty())
   {
-    Fail("--data and --techniques do not apply to --calibrate");
+    Fail(alone ? what + " takes no study" : "a study file or --calibrate is needed");
   }
-  if (options.Calibrate && options.List)
+  if (alone && (!options.Data.empty() || !options.Techniques.empty()))
   {
-    Fail("--list does not apply to --calibrate");
+    Fail("--data and --techniques do not apply to " + what);
   }
-  if (!options.Calibrate && !options.List && options.Out.empty())
+  if (alone && options.List)
+  {
+    Fail("--list does not apply to " + what);
+  }
+  if (!alone && !options.List && options.Out.empty())
   {
     Fail("--out DIR is needed");
   }
@@ -69,7 +74,8 @@ Options ParseOptions(const std::vector<std::string>& arguments)
   Options options;
   const std::map<std::string, bool*> switches = { { "--help", &options.Help },
     { "--version", &options.Version }, { "--calibrate", &options.Calibrate },
-    { "--quick", &options.Quick }, { "--list", &options.List } };
+    { "--check-cuda", &options.CheckCuda }, { "--quick", &options.Quick },
+    { "--list", &options.List } };
   const std::map<std::string, std::function<void(const std::string&)>> values = {
     { "--out", [&](const std::string& text) { options.Out = text; } },
     { "--data", [&](const std::string& text) { options.Data = text; } },
@@ -117,13 +123,17 @@ const char* Usage()
   volumebench-run --calibrate [--out FILE] [--quick]
       measures what this machine can fetch and copy a second (FILE: calibration.json)
 
+  volumebench-run --check-cuda [--out FILE] [--quick]
+      tells whether technique cuda is right on this device, what turning voxels takes by slices to a
+      block, and the registers of its kernels; needs no OpenGL (FILE: cuda-check.json)
+
   --data DIR     folder with volumes and transfer functions, searched by name
   --techniques   these in place of the study's
   --quick        what the study calls quick; a calibration of a few seconds
   --device N     EGL device N, counted from 0; default: the first that works
   --version, --help
 
-Exit code 1: every row failed; 2: bad input or no OpenGL, told in one line.
+Exit code 1: every row failed, or a check; 2: bad input or no OpenGL, told in one line.
 )";
 }
 }

@@ -13,6 +13,7 @@ struct Options
   bool Help = false;
   bool Version = false;
   bool Calibrate = false;
+  bool CheckCuda = false;
   bool Quick = false;
   bool List = false; // the runs of the study, without measuring
   std::string Study;

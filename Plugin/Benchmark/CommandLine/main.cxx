@@ -1,6 +1,9 @@
 // volumebench-run: see Options.cxx for what it does.
 #include "Calibration/Calibration.h"
 #include "Calibration/CalibrationReport.h"
+#ifdef VOLUMEBENCH_HAS_CUDA
+#include "Cuda/CudaReport.h"
+#endif
 #include "EglContext.h"
 #include "MachineContext.h"
 #include "OpenGlWindow.h"
@@ -38,6 +41,26 @@ int RunCalibration(const Options& options)
   std::cout << CalibrationTable(calibration) << "Written to " << path << std::endl;
   return 0;
 }
+
+#ifdef VOLUMEBENCH_HAS_CUDA
+int RunCudaCheck(const Options& options)
+{
+  constexpr int side = 512;
+  constexpr int quickSide = 128;
+  const std::string path = options.Out.empty() ? "cuda-check.json" : options.Out;
+  CheckWritable(path);
+  const CudaCheck check = CheckCudaDevice(options.Quick ? quickSide : side,
+    [](const std::string& what) { std::cerr << "checking " << what << std::endl; });
+  WriteTextFile(path, CudaDocument(check, MachineContext({})).dump(1) + "\n");
+  std::cout << CudaTable(check) << "Written to " << path << std::endl;
+  return IsRight(check) ? 0 : 1;
+}
+#else
+int RunCudaCheck(const Options&)
+{
+  throw std::runtime_error("this build has no technique cuda: CUDA's toolkit was not found");
+}
+#endif
 
 void PrintRun(const StudyRun& run)
 {
@@ -140,6 +163,10 @@ int Main(const std::vector<std::string>& arguments)
   {
     std::cout << "volumebench-run " VOLUMEBENCH_VERSION "\n";
     return 0;
+  }
+  if (options.CheckCuda)
+  {
+    return RunCudaCheck(options);
   }
   ChooseEglDevice(options.Device);
   vtkVolumeBenchEglWindow::UseForAllWindows();
