@@ -6,6 +6,7 @@
 #include "ResultTable.h"
 #include "Scene/DefaultTransferFunction.h"
 #include "Scene/VolumeBuilder.h"
+#include "Techniques/TechniqueTable.h"
 
 #include "vtkColorTransferFunction.h"
 #include "vtkCommand.h"
@@ -64,6 +65,12 @@ int vtkVolumeBenchmark::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
   return 1;
+}
+
+const char* vtkVolumeBenchmark::GetCudaDevice()
+{
+  this->CudaDevice = volumebench::DeviceOfTechnique("cuda");
+  return this->CudaDevice.c_str();
 }
 
 void vtkVolumeBenchmark::AddTechnique(const char* id)

@@ -106,6 +106,9 @@ public:
   vtkGetMacro(LightingDamping, double);
   ///@}
 
+  /** The device of technique cuda, for results; empty where there is none. */
+  const char* GetCudaDevice();
+
   ///@{
   /** Settings that only some techniques have, as in vtkVolumeBenchMapper. */
   vtkSetStdStringFromCharMacro(WorkGroupShape);
@@ -228,6 +231,7 @@ protected:
   std::string WorkGroupShape = "Auto";
   std::string OpenClDevice = "Auto";
   int OpenClStorage = 0;
+  std::string CudaDevice;
   int VoxelOrder = 0;
   int PictureTransfer = 0;
   int SliceExtent = 0;

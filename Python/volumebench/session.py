@@ -11,7 +11,9 @@ from vtkmodules.vtkCommonCore import vtkVersion
 
 from .datasets import VolumeFile
 from .errors import BenchError
+from .kept_pictures import Pictures
 from .machine import machine_facts
+from .plugin_file import PLUGIN_NAME
 from .results import Context, Record
 from .session_engine import run_engine
 from .session_stability import run_stability
@@ -21,8 +23,6 @@ from .start import StartRow, measure_start
 from .study import Run, Scene, Study
 from .techniques import TECHNIQUES
 from .transfer_functions import TransferFunction
-from .plugin_file import PLUGIN_NAME
-from .kept_pictures import Pictures
 from .view_measure import Contestant, measure_view
 from .volume_io import PLUGIN_FORMATS, OpenVolume, PluginReaders
 from .volume_io import bytes_of, copy_of, open_volume
@@ -45,7 +45,7 @@ class Session:
             raise BenchError(f"plugin {plugin}: ParaView did not load it")
         self._plugin = plugin
         used = study is not None and _OPENCL in study.techniques
-        self._gl, self._labels, self._opencl_device = _probe(used)
+        self._gl, self._labels, self._devices = _probe(used)
 
     def context(self) -> Context:
         """Return what the figures depend on beside the study."""
@@ -58,7 +58,7 @@ class Session:
             vtk=vtkVersion.GetVTKVersion(),
             plugin=self._plugin_version,
             build_type=_build_type(self._plugin),
-            opencl_device=self._opencl_device,
+            **self._devices,
             **machine_facts(),
         )
 
@@ -143,10 +143,10 @@ def open_session(study: Study, plugin: Path) -> Session:
     return Session(study, plugin)
 
 
-def _probe(opencl_is_used: bool) -> tuple[Any, list[str], str | None]:
-    """Return the OpenGL information, the representation labels and OpenCL's device, if it is used.
+def _probe(opencl_is_used: bool) -> tuple[Any, list[str], dict[str, str | None]]:
+    """Return the OpenGL information, the representation labels and the devices of CUDA and OpenCL.
 
-    They are those of a view that is deleted.
+    They are those of a view that is deleted; OpenCL's is looked for if it is used.
     """
     view = simple.CreateRenderView()
     source = simple.Wavelet(WholeExtent=[0, 1, 0, 1, 0, 1])
@@ -155,10 +155,20 @@ def _probe(opencl_is_used: bool) -> tuple[Any, list[str], str | None]:
     gl = servermanager.vtkPVOpenGLInformation()
     gl.CopyFromObject(None)
     labels = list(display.GetProperty("Representation").Available)
-    device = _opencl_device(display) if opencl_is_used else None
+    devices = {
+        "cuda_device": _cuda_device(source),
+        "opencl_device": _opencl_device(display) if opencl_is_used else None,
+    }
     for proxy in (display, source, view):
         simple.Delete(proxy)
-    return gl, labels, device
+    return gl, labels, devices
+
+
+def _cuda_device(source: Any) -> str | None:
+    """Return the device that Volume CUDA takes; none where the build or the machine lacks it."""
+    bench = servermanager.filters.VolumeBenchmark(Input=source)
+    bench.UpdatePropertyInformation()
+    return bench.GetProperty("CudaDevice").GetElement(0) or None
 
 
 def _opencl_device(display: Any) -> str | None:

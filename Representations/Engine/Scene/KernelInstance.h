@@ -33,27 +33,7 @@ using real = KERNEL_REAL;
 
 #pragma GCC diagnostic pop
 
-#undef FUNC
-#undef STRUCT
-#undef PRECISE
-#undef SCENE_PARAM
-#undef SCENE
-#undef REAL
-#undef TO_REAL
-#undef TO_INT
-#undef TO_UINT
-#undef VEC3
-#undef VEC4
-#undef SCENE_BLOCK_BEGIN
-#undef SCENE_BLOCK_END
-#undef LIGHT_LIMIT
-#undef CLIP_PLANE_LIMIT
-#undef CELL_MARGIN
-#undef EXTREME_OF_ENDS
-#undef BETWEEN_ENDS
-#undef BORDERS_MOVE
-#undef SAMPLES_OF_STEP
-#undef PREFIX_ENTRY
+#include "Scene/ForgetKernelMacros.h"
 #undef VOLUME_IN_ORDER
 
 // Every feature of Scene/Features.cxx; the Kernels tests notice one that is missing here.
