@@ -19,7 +19,7 @@ from volumebench.study import Run, Scene
 from volumebench.study_file import find_study, load_study
 from volumebench.findings import findings_of, write_tables
 
-PAPERS = ("nikolov-2015", "sans-2016", "volt", "maas-2015")
+PAPERS = ("nikolov-2015", "sans-2016", "misaki-2017", "volt", "maas-2015")
 STEPS = (1.0, 2.0, 4.0, 8.0)
 
 
@@ -221,6 +221,7 @@ def test_quick_keeps_the_extremes_of_every_factor(paper_study):
         lambda run: run.scene.blend_mode,
         lambda run: run.scene.lighting,
         lambda run: dict(run.settings).get("ray_set_up"),
+        lambda run: dict(run.settings).get("voxel_order"),
     ):
         assert values(quick, get) == values(paper_study, get)
     for name in ("slice_threads", "termination_threshold"):
