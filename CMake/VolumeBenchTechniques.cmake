@@ -6,7 +6,7 @@
 # the panel shows for this technique and not for all. FOLDER, below the root, holds the pair in place of
 # Techniques/; a build in which the variable that REQUIRES names is false has no such technique.
 set(volumebench_technique_ids "")
-set(volumebench_technique_settings Skipping TerminationThreshold RaySetUp Jitter JitterSeed
+set(volumebench_technique_settings ErrorTarget Skipping TerminationThreshold RaySetUp Jitter JitterSeed
   WorkGroupShape OpenclDevice OpenclStorage PictureTransfer VoxelOrder SliceExtent SliceOrder
   SliceTarget SliceThreads)
 

@@ -1,11 +1,12 @@
 # The list of techniques: one row each, and the only existing file that a new technique edits.
 # The order is the order in ParaView's menus. CONTRIBUTING.md tells how to add one.
 volumebench_technique(single-pass CLASS SinglePass LABEL "Volume Single Pass"
-  SETTINGS Skipping TerminationThreshold RaySetUp Jitter JitterSeed)
+  SETTINGS ErrorTarget Skipping TerminationThreshold RaySetUp Jitter JitterSeed)
 volumebench_technique(multi-pass CLASS MultiPass LABEL "Volume Multi Pass"
-  SETTINGS Skipping TerminationThreshold Jitter JitterSeed)
+  SETTINGS ErrorTarget Skipping TerminationThreshold Jitter JitterSeed)
 volumebench_technique(compute CLASS ComputeRayCast LABEL "Volume Compute"
-  SETTINGS Skipping TerminationThreshold RaySetUp Jitter JitterSeed WorkGroupShape VoxelOrder)
+  SETTINGS ErrorTarget Skipping TerminationThreshold RaySetUp Jitter JitterSeed WorkGroupShape
+    VoxelOrder)
 volumebench_technique(opencl CLASS OpenClRayCast LABEL "Volume OpenCL"
   SETTINGS Skipping TerminationThreshold Jitter JitterSeed WorkGroupShape
     OpenclDevice OpenclStorage)

@@ -96,6 +96,7 @@ void ErrorMeasure::CompareWith(vtkVolumeBenchMapper& mapper, std::vector<Run>& r
 {
   mapper.SetIntegrator(1);
   mapper.SetTerminationThreshold(0.0);
+  mapper.SetErrorTarget(0.0);
   mapper.SetStepVoxels(this->Settings.ReferenceStepVoxels);
   std::vector<FloatPicture> references;
   for (int view = 0; view < this->Settings.ErrorViews && this->Proceed(); ++view)

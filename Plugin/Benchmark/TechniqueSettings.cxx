@@ -120,6 +120,9 @@ const SettingRow Rows[] = {
   { "termination_threshold", true,
     [](TechniqueSettings& s, const std::string& text)
     { s.TerminationThreshold = NumberOf("termination_threshold", text); } },
+  { "error_target", true,
+    [](TechniqueSettings& s, const std::string& text)
+    { s.ErrorTarget = NumberOf("error_target", text); } },
   { "jitter", true,
     [](TechniqueSettings& s, const std::string& text) { s.Jitter = SwitchOf("jitter", text); } },
   { "jitter_seed", true,
@@ -261,6 +264,7 @@ void CheckTechniqueSettings(const TechniqueSettings& settings)
 void ApplySettings(const TechniqueSettings& settings, vtkVolumeBenchMapper& mapper)
 {
   mapper.SetTerminationThreshold(settings.TerminationThreshold);
+  mapper.SetErrorTarget(settings.ErrorTarget);
   mapper.SetJitter(settings.Jitter);
   mapper.SetJitterSeed(settings.JitterSeed);
   mapper.SetTableSize(settings.TableSize);

@@ -17,6 +17,7 @@ namespace volumebench
 struct TechniqueSettings
 {
   double TerminationThreshold = 0.001;
+  double ErrorTarget = 0.0;
   bool Jitter = false;
   int JitterSeed = 0;
   int TableSize = 0;
@@ -61,8 +62,8 @@ struct Variant
 };
 
 /// Reads "ID; name=value; name=value" with the names integrator, step_voxels,
-/// termination_threshold, skipping (true or false), macrocell_voxels, jitter (true or false),
-/// jitter_seed, table_size, ray_set_up, work_group_shape, opencl_device, opencl_storage,
+/// termination_threshold, error_target, skipping (true or false), macrocell_voxels, jitter (true or
+/// false), jitter_seed, table_size, ray_set_up, work_group_shape, opencl_device, opencl_storage,
 /// picture_transfer, voxel_order, slice_extent, slice_threads, slice_target, slice_order and, for
 /// peers, sample_distance_voxels. Of an earlier measurement: frames_ms and frames_gpu_ms (numbers
 /// with spaces between), error_known. Throws std::runtime_error that quotes what it cannot read.

@@ -10,6 +10,7 @@ from typing import Any
 
 import matplotlib.pyplot as plt
 
+from .error_targets import target_table
 from .json_file import write_atomically
 from .paper import verdicts
 from .paper_plot import paper_figures
@@ -84,7 +85,8 @@ def findings_of(
 
 def sweep_findings(records: list[Record]) -> Findings:
     """Return what sweeps of error against time tell."""
-    tables, remarks = sweep_tables(records), sweep_remarks(records)
+    tables = [*sweep_tables(records), target_table(records)]
+    remarks = sweep_remarks(records)
     return Findings(
         sentence(records), tuple(tables), tuple(remarks), HOW_SWEEPS_ARE_READ
     )
@@ -92,7 +94,8 @@ def sweep_findings(records: list[Record]) -> Findings:
 
 def _speed(records: list[Record], start_rows: list[StartRow], folder: Path) -> Findings:
     tables = ratio_tables(records)
-    tables += [saving_table(records), first_table(start_rows), edit_table(start_rows)]
+    tables += [saving_table(records), target_table(records)]
+    tables += [first_table(start_rows), edit_table(start_rows)]
     remarks = [*start_remarks(start_rows), doubt_sentence(records)]
     remarks += left_out_remarks(records)
     title = "Frame-time ratio against ParaView's Volume"

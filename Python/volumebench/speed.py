@@ -20,6 +20,7 @@ from .work_precision import (
 LEVEL = 1e-3  # RMSE
 NOTCH = 1.57  # quartile ranges over sqrt(frames): half a 95 % interval of a median
 SKIPPING = "skipping"
+ERROR_TARGET = "error_target"
 
 
 @dataclass(frozen=True)
@@ -100,11 +101,17 @@ def best_match(rows: list[Record], rmse: float) -> Match | None:
     for point in points_of(rows):
         row = point.record
         if not is_peer(row) and not skips_nothing(row):
-            settings = tuple(sorted(row.settings.items()))
+            settings = tuple(sorted(_but_target(row).items()))
             key = (row.technique, row.integrator, settings)
             curves.setdefault(key, []).append(point)
     found = [match_at(curve, rmse) for curve in curves.values()]
     return min((item for item in found if item), key=lambda item: item.ms, default=None)
+
+
+def _but_target(row: Record) -> dict:
+    """Return the settings of a variant: runs with different error targets are points of one curve."""
+    targeted = row.settings.get(ERROR_TARGET, 0) > 0
+    return {**row.settings, ERROR_TARGET: True} if targeted else row.settings
 
 
 def skips_nothing(row: Record) -> bool:

@@ -39,8 +39,8 @@ def _ratio_row(item: Ratio) -> tuple[str, ...]:
         number(item.rmse, ".1e"),
         number(theirs.frame_ms.median, ".1f"),
         number(ours.ms if ours else None, ".1f"),
-        _mega(theirs.samples_taken),
-        _mega(ours.samples if ours else None),
+        mega(theirs.samples_taken),
+        mega(ours.samples if ours else None),
         least + number(item.factor(), ".1f"),
         "{:.1f} to {:.1f}".format(*interval) if interval else "-",
     )
@@ -59,7 +59,7 @@ def left_out_remarks(records: list[Record]) -> list[str]:
     ]
 
 
-def _mega(count: float | None) -> str:
+def mega(count: float | None) -> str:
     return number(None if count is None else count / MEGA, ".2f")
 
 
@@ -80,9 +80,9 @@ def _saving_row(item: Saving) -> tuple[str, ...]:
         sampling_text(with_it),
         number(with_it.frame_ms.median, ".1f"),
         number(off.frame_ms.median, ".1f"),
-        _mega(with_it.samples_taken),
-        _mega(off.samples_taken),
-        _mega(with_it.samples_skipped),
+        mega(with_it.samples_taken),
+        mega(off.samples_taken),
+        mega(with_it.samples_skipped),
         f"{item.factor():.2f}x",
     )
 
@@ -106,7 +106,7 @@ def first_table(rows: list[StartRow]) -> Table | None:
                     for value in (setup.upload, setup.tables, setup.grid, setup.compile)
                 ),
                 number(factor, ".2f"),
-                _mega(row.bytes_on_device),
+                mega(row.bytes_on_device),
                 number(_bytes_ratio(row), ".2f"),
             )
         )

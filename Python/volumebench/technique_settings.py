@@ -9,6 +9,7 @@ Settings = tuple[tuple[str, Any], ...]
 _SHAPE = re.compile(r"Auto|[1-9][0-9]{0,3}x[1-9][0-9]{0,3}")
 _DEVICE = re.compile(r"Auto|[^;]+: [^;]+")
 _CASTING = ("single-pass", "multi-pass", "compute", "opencl", "cuda")
+_RAYS = ("single-pass", "multi-pass", "compute")
 _SLICING = ("slices", "slices-threaded")
 _VTK = ("vtk-gpu", "vtk-fixed-point")
 
@@ -43,6 +44,10 @@ TECHNIQUE_SETTINGS = {
     "termination_threshold": TechniqueSetting(
         *("TerminationThreshold", _CASTING, (), "a number from 0 to 0.999999"),
         *(float, (0, 0.999999)),
+    ),
+    "error_target": TechniqueSetting(
+        *("ErrorTarget", _RAYS, (), "a number from 0 to 1"),
+        *(float, (0, 1)),
     ),
     "jitter": TechniqueSetting("Jitter", _CASTING + _SLICING, (0, 1)),
     "jitter_seed": TechniqueSetting(

@@ -168,7 +168,8 @@ std::vector<VolumePainter::PartScene> VolumePainter::ScenesBackToFront(vtkVolume
       [&] { return this->Parts[i]->Builder.RangeOf(mapper, volume, blocks[i].Image); });
     range = { std::min(range.Low, own.Low), std::max(range.High, own.High) };
   }
-  const RenderTarget target{ viewport, ReadGlLimits().Texture };
+  const RenderTarget target{ viewport, ReadGlLimits().Texture,
+    this->Parts.front()->Technique->StepsMayVary() };
   const Camera camera = BuildCamera(renderer, viewport);
   std::vector<PartScene> scenes;
   for (const std::size_t i : BackToFront(blocks, camera, FromVtk(volume->GetMatrix())))

@@ -242,6 +242,7 @@ void vtkVolumeBenchMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Technique: " << this->Technique << "\n";
   os << indent << "Integrator: " << this->Integrator << "\n";
   os << indent << "StepVoxels: " << this->StepVoxels << "\n";
+  os << indent << "ErrorTarget: " << this->ErrorTarget << "\n";
   os << indent << "Jitter: " << this->Jitter << "\n";
   os << indent << "JitterSeed: " << this->JitterSeed << "\n";
   os << indent << "TableSize: " << this->TableSize << "\n";

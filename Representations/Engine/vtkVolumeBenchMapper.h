@@ -82,6 +82,19 @@ public:
 
   ///@{
   /**
+   * Root mean square error of a picture that is to be kept, in [0, 1], on linear premultiplied RGBA
+   * over what the volume covers; 0 (default): every step has the length StepVoxels. With a target,
+   * each cell of the volume has the longest steps that it allows, from 1/32 to 8 times StepVoxels
+   * or as long as the cell where nothing changes in it, by how fast the values and the transfer
+   * function change; and rays stop at a quarter of the target at the latest. For techniques that
+   * cast rays, Midpoint and Segment, blend mode Composite without shading.
+   */
+  vtkSetMacro(ErrorTarget, double);
+  vtkGetMacro(ErrorTarget, double);
+  ///@}
+
+  ///@{
+  /**
    * Moves the steps of each pixel's ray by a random share of one: rings of equal sampling become
    * noise, and errors as large as those of Left. Pictures of the same seed, 0 (default) to
    * 16777215, are the same. Left and Midpoint then sample at the same places; Segment,
@@ -377,6 +390,7 @@ protected:
   std::string Technique = "single-pass";
   int Integrator = 1;
   double StepVoxels = 0.5;
+  double ErrorTarget = 0.0;
   bool Jitter = false;
   int JitterSeed = 0;
   int TableSize = 0;

@@ -62,6 +62,7 @@ void vtkVolumeBenchRepresentation::SetRepresentation(const char* technique)
 
 vtkVolumeBenchForwardMacro(Integrator, int);
 vtkVolumeBenchForwardMacro(StepVoxels, double);
+vtkVolumeBenchForwardMacro(ErrorTarget, double);
 vtkVolumeBenchForwardMacro(TerminationThreshold, double);
 vtkVolumeBenchForwardMacro(Skipping, bool);
 vtkVolumeBenchForwardMacro(MacrocellVoxels, int);

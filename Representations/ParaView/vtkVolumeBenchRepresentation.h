@@ -56,6 +56,7 @@ public:
    */
   void SetIntegrator(int integrator);
   void SetStepVoxels(double step);
+  void SetErrorTarget(double target);
   void SetTerminationThreshold(double threshold);
   void SetSkipping(bool skipping);
   void SetMacrocellVoxels(int edge);

@@ -138,7 +138,11 @@ FUNC vec4 pixelOf(SCENE_PARAM March march, int count)
   return sampleColor(SCENE TO_REAL(march.taken * SAMPLES_OF_STEP));
 #elif WITH_SAMPLE_COUNT
   bool stopped = isStopped(SCENE march);
+#if GRADED_STEPS
+  int skipped = stopped || count < march.covered ? march.skipped : count - march.covered;
+#else
   int skipped = stopped ? march.skipped : count - march.taken;
+#endif
   return VEC4(TO_REAL(march.taken * SAMPLES_OF_STEP), TO_REAL(skipped * SAMPLES_OF_STEP),
     stopped ? REAL(1.0) : REAL(0.0), REAL(0.0));
 #else
@@ -150,9 +154,16 @@ FUNC vec4 pixelOf(SCENE_PARAM March march, int count)
 FUNC March stepped(SCENE_PARAM Ray ray, Interval interval, March march)
 {
   real stepBegin = stepBeginOf(SCENE ray, interval, march.index);
+#if GRADED_STEPS
+  int length = lengthOfNext(march);
+  real width = gradedWidthOf(SCENE ray, interval, march.index, length, stepBegin);
+  real stepEnd = stepBeginOf(SCENE ray, interval, march.index + length);
+  StepEnd back = stepEndAt(SCENE ray, min(stepEnd, interval.end));
+#else
   real width = stepWidthOf(SCENE ray, interval, march.index, stepBegin);
   StepEnd back =
     stepEndAt(SCENE ray, min(stepBeginOf(SCENE ray, interval, march.index + 1), interval.end));
+#endif
   // Nothing is asked of what the ray has gathered before it is added to: steps whose samples do not
   // wait for each other go side by side through a processor.
   vec4 contribution = stepOf(SCENE ray, stepBegin, width, march.front, back);
@@ -167,9 +178,18 @@ FUNC March stepped(SCENE_PARAM Ray ray, Interval interval, March march)
   march.result = accumulate(march.result, contribution);
 #endif
   march.front = back;
+#if GRADED_STEPS
+  march.index = march.index + length;
+  march.rest = march.rest - length;
+  march.turns = march.turns > 1 ? march.turns - 1 : 1;
+#else
   march.index = march.index + 1;
+#endif
 #if WITH_SAMPLE_COUNT
   march.taken = width > REAL(0.0) && !stopped ? march.taken + 1 : march.taken;
+#if GRADED_STEPS
+  march.covered = width > REAL(0.0) && !stopped ? march.covered + length : march.covered;
+#endif
 #endif
   return march;
 }

@@ -13,9 +13,17 @@ STRUCT(March)
 #endif
   StepEnd front;
   int index;  // of the next step
+#if GRADED_STEPS
+  int turns;   // steps until the macrocells are looked up again
+  int rest;    // finest steps to where the ray leaves the cells that allow steps
+  int longest; // of this many
+#endif
 #if WITH_SAMPLE_COUNT
   int taken;
   int skipped;
+#if GRADED_STEPS
+  int covered; // finest steps that the taken ones are long
+#endif
 #endif
 };
 
@@ -30,6 +38,14 @@ FUNC March startOfMarch(int first)
 #if WITH_SAMPLE_COUNT
   march.taken = 0;
   march.skipped = first;
+#if GRADED_STEPS
+  march.covered = 0;
+#endif
+#endif
+#if GRADED_STEPS
+  march.turns = 1;
+  march.rest = 1;
+  march.longest = 1;
 #endif
   return march;
 }
@@ -110,6 +126,9 @@ STRUCT(CellRun)
 {
   bool skips; // nothing in the cell and those like it changes the pixel
   bool leavesGrid;
+#if GRADED_STEPS
+  int longest; // finest steps that a step in them may be long
+#endif
   real end;  // where the ray leaves them
   vec3 next; // a place in the cell that comes then
 };
@@ -138,6 +157,9 @@ FUNC CellRun leavingCube(SCENE_PARAM CellRay cells, vec3 cell, real distance)
   real z = (border.z - cells.origin.z) * cells.unitsPerCell.z;
   CellRun run;
   run.skips = false;
+#if GRADED_STEPS
+  run.longest = 1;
+#endif
   run.end = min(x, min(y, z));
   vec3 place = cells.origin + run.end * cells.direction;
   run.next = VEC3(nextPlace(place.x, cell.x, border.x, cells.ahead.x, x <= run.end),
@@ -165,9 +187,34 @@ FUNC CellRun cellRunAt(SCENE_PARAM CellRay cells, vec3 place, vec4 result)
   int code = cellCodeAt(SCENE x, y, z);
   CellRun run = leavingCube(SCENE cells, cell, TO_REAL(code & 255));
   run.skips = code < 256;
+#if GRADED_STEPS
+  run.longest = run.skips ? 1 : 1 << ((code >> 8) - 1);
+#endif
 #endif
   return run;
 }
+
+#if GRADED_STEPS
+// Shares what a run of cells leaves of a ray among the steps of a round: none is longer than the
+// cells allow or enters cells that allow less.
+FUNC March graded(SCENE_PARAM Ray ray, Interval interval, March march, int longest, real until)
+{
+  real margin = CELL_MARGIN * ray.oneVoxel / scene.sampling.x;
+  real begin = stepBeginOf(SCENE ray, interval, march.index);
+  real steps = floor((until - begin) / scene.sampling.x + margin);
+  march.rest = TO_INT(max(REAL(1.0), min(steps, REAL(8388608.0))));
+  march.longest = longest;
+  march.turns = 4 / SAMPLES_OF_STEP;
+  return march;
+}
+
+FUNC int lengthOfNext(March march)
+{
+  int share = TO_INT(ceil(TO_REAL(march.rest) / TO_REAL(march.turns)));
+  int length = share < march.longest ? share : march.longest;
+  return length > 1 ? length : 1;
+}
+#endif
 
 // Follows the ray from its next step over all that can be left out to the first step that cannot.
 FUNC March jumped(SCENE_PARAM CellRay cells, Ray ray, Interval interval, March march, int end)
@@ -177,9 +224,19 @@ FUNC March jumped(SCENE_PARAM CellRay cells, Ray ray, Interval interval, March m
   real last = stepBeginOf(SCENE ray, interval, end);
   vec3 place = cells.origin + along * cells.direction;
   bool goes = true;
+#if GRADED_STEPS
+  int longest = 1;
+  real until = along;
+#endif
   do
   {
     CellRun run = cellRunAt(SCENE cells, place, march.result);
+#if GRADED_STEPS
+    // Each from what it was: Mesa's llvmpipe goes on computing for pixels that have left a loop that
+    // their neighbours are in, and keeps for them only what a loop carries from round to round.
+    longest = run.skips ? longest : run.longest;
+    until = run.skips ? until : (run.leavesGrid ? last : run.end);
+#endif
     real leaves = run.leavesGrid ? last : max(along, run.end);
     along = run.skips ? leaves : along;
     place = run.next;
@@ -191,6 +248,9 @@ FUNC March jumped(SCENE_PARAM CellRay cells, Ray ray, Interval interval, March m
   march.skipped = march.skipped + next - march.index;
 #endif
   march.index = next;
+#if GRADED_STEPS
+  march = graded(SCENE ray, interval, march, longest, until);
+#endif
   return march;
 }
 #endif

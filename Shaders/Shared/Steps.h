@@ -23,6 +23,14 @@
 #define BORDERS_MOVE 0
 #endif
 
+// Whether macrocells tell how long the steps in them may be, in whole numbers of the finest step of
+// the scene, which is then the unit of the indices.
+#if WITH_ADAPTIVE_STEPS && WITH_SKIPPING && !WITH_MAXIMUM_BLEND && !WITH_MINIMUM_BLEND
+#define GRADED_STEPS 1
+#else
+#define GRADED_STEPS 0
+#endif
+
 #if WITH_SEGMENT
 #define SAMPLES_OF_STEP 2
 #else
@@ -71,3 +79,16 @@ FUNC real stepWidthOf(SCENE_PARAM Ray ray, Interval interval, int index, real st
 #endif
   return max(min(width, interval.end - stepBegin), REAL(0.0));
 }
+
+#if GRADED_STEPS
+// How long a step of `length` of the finest is.
+FUNC real gradedWidthOf(
+  SCENE_PARAM Ray ray, Interval interval, int index, int length, real stepBegin)
+{
+  real width = TO_REAL(length) * scene.sampling.x;
+#if BORDERS_MOVE
+  width = index == 0 ? width - borderShift(ray, scene.sampling.x) : width;
+#endif
+  return max(min(width, interval.end - stepBegin), REAL(0.0));
+}
+#endif

@@ -1,13 +1,10 @@
 // The shared text in float, with and without empty space left out, for rays from all sides: each
 // must gather the same to the last bit.
-#include "EngineScene.h"
 #include "KernelInstances.h"
-#include "Scene/CellMap.h"
-#include "Scene/PackScene.h"
+#include "RaysOfScene.h"
 
 #include <gtest/gtest.h>
 
-#include <cstring>
 #include <random>
 
 using namespace volumebench;
@@ -37,94 +34,15 @@ struct TextCase
   int MacrocellVoxels;
 };
 
-class RaysOfScene
+RaysOfScene MakeRays(BlendMode mode, const TextCase& of)
 {
-public:
-  RaysOfScene(BlendMode mode, const TextCase& of)
-    : Texels(of.Texels)
-    , Image(MakeImage(of.Texels.x, of.Texels.y, of.Texels.z, of.Field, VTK_FLOAT))
-    , Function(MakeLinearExtinctionProperty(0.2, 0.0, 1.0, 65))
-    , Engine(MakeEngineScene(this->Image, this->Function))
-  {
-    this->Engine.Compositing.Mode = mode;
-    this->Engine.Sampling.StepVoxels = of.StepVoxels;
-    auto* values =
-      static_cast<float*>(this->Image->GetPointData()->GetArray("field")->GetVoidPointer(0));
-    this->Values.assign(values, values + of.Texels.x * of.Texels.y * of.Texels.z);
-    this->UseCells(of.MacrocellVoxels);
-  }
-
-  void UseCells(int edge)
-  {
-    const MacrocellGrid grid = BuildMacrocellGrid(this->Engine.Volume, edge);
-    const bool maximum = this->Engine.Compositing.Mode == BlendMode::Maximum;
-    this->Engine.Skipping.Cells = std::make_shared<CellMap>(
-      maximum ? MapExtremes(grid, this->Engine) : MapOccupiedCells(grid, this->Engine));
-  }
-
-  template <typename BackendScene>
-  BackendScene Kernel() const
-  {
-    BackendScene kernel = {};
-    const SceneBlock block = RoundToFloat(PackScene(this->Engine));
-    static_assert(sizeof(block) == sizeof(typename BackendScene::SceneBlock), "another layout");
-    std::memcpy(static_cast<void*>(static_cast<typename BackendScene::SceneBlock*>(&kernel)),
-      &block, sizeof(block));
-    kernel.field = [this](glm::vec3 position) { return this->FieldAt(position); };
-    kernel.table = [this](float coordinate) { return this->TableAt(coordinate); };
-    kernel.cellCode = [this](int x, int y, int z)
-    { return this->Engine.Skipping.Cells->Codes[this->CellIndex(x, y, z)]; };
-    kernel.cellExtreme = [this](int x, int y, int z)
-    { return this->Engine.Skipping.Cells->Extremes[this->CellIndex(x, y, z)]; };
-    return kernel;
-  }
-
-  glm::dvec3 GetMiddle() const { return 0.5 * glm::dvec3(this->Texels - 1); }
-  Scene& GetEngine() { return this->Engine; }
-
-private:
-  std::size_t CellIndex(int x, int y, int z) const
-  {
-    const glm::ivec3& cells = this->Engine.Skipping.Cells->Cells;
-    EXPECT_TRUE(x >= 0 && y >= 0 && z >= 0 && x < cells.x && y < cells.y && z < cells.z);
-    return x + cells.x * (y + static_cast<std::size_t>(cells.y) * z);
-  }
-
-  float FieldAt(const glm::vec3& position) const
-  {
-    const glm::ivec3 last = this->Texels - 1;
-    const glm::vec3 place =
-      glm::clamp(position * glm::vec3(last + 1) - 0.5f, glm::vec3(0.0f), glm::vec3(last));
-    const glm::ivec3 low = glm::min(glm::ivec3(place), last - 1);
-    const glm::vec3 share = place - glm::vec3(low);
-    float sum[4];
-    for (int row = 0; row < 4; ++row)
-    {
-      const float* at = &this->Values[low.x +
-        this->Texels.x * (low.y + row % 2 + this->Texels.y * (low.z + row / 2))];
-      sum[row] = at[0] + share.x * (at[1] - at[0]);
-    }
-    const float front = sum[0] + share.y * (sum[1] - sum[0]);
-    const float back = sum[2] + share.y * (sum[3] - sum[2]);
-    return front + share.z * (back - front);
-  }
-
-  glm::vec4 TableAt(float coordinate) const
-  {
-    const auto& table = this->Engine.TransferFunction.Table;
-    const float place =
-      std::clamp(coordinate * static_cast<float>(table.size()) - 0.5f, 0.0f, table.size() - 1.0f);
-    const std::size_t low =
-      std::min<std::size_t>(static_cast<std::size_t>(place), table.size() - 2);
-    return glm::mix(table[low], table[low + 1], place - static_cast<float>(low));
-  }
-
-  glm::ivec3 Texels;
-  vtkSmartPointer<vtkImageData> Image;
-  vtkSmartPointer<vtkVolumeProperty> Function;
-  Scene Engine;
-  std::vector<float> Values;
-};
+  RaysOfScene rays(MakeImage(of.Texels.x, of.Texels.y, of.Texels.z, of.Field, VTK_FLOAT),
+    MakeLinearExtinctionProperty(0.2, 0.0, 1.0, 65));
+  rays.GetEngine().Compositing.Mode = mode;
+  rays.GetEngine().Sampling.StepVoxels = of.StepVoxels;
+  rays.UseCells(of.MacrocellVoxels);
+  return rays;
+}
 
 // Cameras: along the axes and diagonals, whose rays run along borders of cells, and any.
 std::vector<glm::dvec3> Directions()
@@ -179,7 +97,7 @@ class SkippingText : public ::testing::TestWithParam<TextCase>
 
 TEST_P(SkippingText, LeavesOutNothingOfACompositedRay)
 {
-  RaysOfScene rays(BlendMode::Composite, GetParam());
+  RaysOfScene rays = MakeRays(BlendMode::Composite, GetParam());
   ExpectSameRays(rays,
     [&]
     {
@@ -194,7 +112,7 @@ TEST_P(SkippingText, LeavesOutNothingOfACompositedRay)
 
 TEST_P(SkippingText, LeavesOutNothingOfAMaximum)
 {
-  RaysOfScene rays(BlendMode::Maximum, GetParam());
+  RaysOfScene rays = MakeRays(BlendMode::Maximum, GetParam());
   ExpectSameRays(rays,
     [&]
     {

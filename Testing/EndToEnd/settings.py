@@ -31,6 +31,7 @@ OURS = {
     "Integrator": "Left",
     "TechniqueBlendMode": "Gradient",
     "TerminationThreshold": 0.01,
+    "ErrorTarget": 0.002,
     "Skipping": 0,
     "MacrocellVoxels": 4,
     "RaySetUp": "Box",

@@ -29,6 +29,7 @@ SETTINGS = {
     "StepVoxels": 0.75,
     "Integrator": "Left",
     "TerminationThreshold": 0.01,
+    "ErrorTarget": 0.002,
     "Skipping": 0,
     "MacrocellVoxels": 4,
     "RaySetUp": "Box",

@@ -60,6 +60,9 @@ const std::vector<FeatureWord>& FeatureWords()
     { "scene.oneColor", { F::OneColor } },
     { "cellRayOf", { F::Skipping } },
     { "scene.cells", { F::Skipping } },
+    { "lengthOfNext", { F::AdaptiveSteps } },
+    { "march.rest", { F::AdaptiveSteps } },
+    { "gradedWidthOf", { F::AdaptiveSteps } },
   };
   return words;
 }
@@ -83,6 +86,14 @@ void MakeHalfEmpty(Scene& scene)
   cells->Codes = { 1, 257 };
   cells->OccupiedShare = 0.5;
   cells->OccupiedHigh = { 10.0, 10.0, 10.0 };
+  scene.Skipping.Cells = cells;
+}
+
+void GradeSteps(Scene& scene)
+{
+  MakeHalfEmpty(scene);
+  auto cells = std::make_shared<CellMap>(*scene.Skipping.Cells);
+  cells->FinestStepVoxels = 0.25;
   scene.Skipping.Cells = cells;
 }
 
@@ -130,6 +141,7 @@ const std::vector<NamedScene>& Scenes()
       } },
     { "Gradient", [](Scene& s) { s.Compositing.Mode = BlendMode::Gradient; } },
     { "half empty", MakeHalfEmpty },
+    { "steps of different lengths", GradeSteps },
     { "one colour", [](Scene& s) { s.TransferFunction.Color = glm::vec3(1.0f); } },
     { "samples shown", [](Scene& s) { s.Measurement.ShowSamples = true; } },
   };

@@ -186,4 +186,31 @@
 #define VOLUME_IN_ORDER 1
 #include "Scene/KernelInstance.h"
 
+#define KERNEL_NAMESPACE adaptiveMidpoint32
+#define KERNEL_REAL float
+#define WITH_MIDPOINT 1
+#define WITH_TIGHT_BOX 1
+#define WITH_SKIPPING 1
+#define WITH_ADAPTIVE_STEPS 1
+#include "Scene/KernelInstance.h"
+
+#define KERNEL_NAMESPACE adaptiveSegment32
+#define KERNEL_REAL float
+#define WITH_MIDPOINT 1
+#define WITH_SEGMENT 1
+#define WITH_STIFF_STEPS 1
+#define WITH_TIGHT_BOX 1
+#define WITH_SKIPPING 1
+#define WITH_ADAPTIVE_STEPS 1
+#include "Scene/KernelInstance.h"
+
+#define KERNEL_NAMESPACE adaptiveCount32
+#define KERNEL_REAL float
+#define WITH_MIDPOINT 1
+#define WITH_TIGHT_BOX 1
+#define WITH_SKIPPING 1
+#define WITH_ADAPTIVE_STEPS 1
+#define WITH_SAMPLE_COUNT 1
+#include "Scene/KernelInstance.h"
+
 #endif

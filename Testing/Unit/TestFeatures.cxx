@@ -211,3 +211,42 @@ TEST(Features, RaysStopOnlyWhereSomeRayCanBeDeepEnough)
   EXPECT_EQ(with(0.2, 0.001), Names());
   EXPECT_EQ(with(1000.0, 0.0), Names());
 }
+
+TEST(Features, SayWhyAnErrorTargetIsNotKept)
+{
+  const auto whyOf = [](const std::function<void(Scene&)>& change)
+  {
+    Scene scene;
+    scene.Sampling.ErrorTarget = 0.001;
+    scene.Sampling.StepsMayVary = true;
+    change(scene);
+    for (const LeftOutFeature& row : FeaturesLeftOut(scene, {}))
+    {
+      if (row.Bit == Feature::AdaptiveSteps && !CanGradeSteps(scene))
+      {
+        return std::string(row.Why);
+      }
+    }
+    return std::string("kept");
+  };
+  EXPECT_EQ(whyOf([](Scene&) {}), "kept");
+  EXPECT_EQ(whyOf([](Scene& s) { s.Sampling.Integration = Integrator::Segment; }), "kept");
+  EXPECT_EQ(whyOf([](Scene& s) { s.Sampling.ErrorTarget = 0.0; }), "off");
+  EXPECT_EQ(whyOf([](Scene& s) { s.Sampling.StepsMayVary = false; }),
+    "all steps of this technique are alike");
+  for (const Integrator integrator : { Integrator::Left, Integrator::PreIntegrated })
+  {
+    EXPECT_EQ(whyOf([&](Scene& s) { s.Sampling.Integration = integrator; }),
+      "only Midpoint and Segment can keep a target");
+  }
+  EXPECT_EQ(whyOf([](Scene& s) { s.Compositing.Mode = BlendMode::Gradient; }),
+    "no effect in this blend mode");
+  EXPECT_EQ(
+    whyOf([](Scene& s) { s.Sampling.SkipsEmptySpace = false; }), "empty space skipping is off");
+  EXPECT_EQ(whyOf([](Scene& s) { s.Lighting.Enabled = true; }),
+    "the error of what gradients change is not known");
+  EXPECT_EQ(
+    whyOf([](Scene& s) { s.Volume.Channels = 4; }), "the error of several components is not known");
+  EXPECT_EQ(
+    whyOf([](Scene& s) { s.Volume.Nearest = true; }), "the error where values jump is not known");
+}

@@ -1,12 +1,15 @@
 #include "Scene/CellMap.h"
 
 #include "Scene/CellDistances.h"
+#include "Scene/Features.h"
 #include "Scene/Majorant.h"
+#include "Scene/StepGrades.h"
 
 #include <glm/common.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace volumebench
 {
@@ -55,6 +58,43 @@ void MeasureOccupied(const std::vector<CellKind>& kinds, const Scene& scene, Cel
     map.OccupiedHigh = glm::min(edge * glm::dvec3(high + 1) - half, half);
   }
 }
+
+// The finest grade that some cell has, but none whose steps are too many along a ray for a software
+// renderer to end its loop.
+int FinestOf(const std::vector<std::int8_t>& grades, const Scene& scene)
+{
+  int finest = *std::min_element(grades.begin(), grades.end());
+  finest = finest == ExactGrade ? 0 : finest;
+  while (std::ldexp(LongestRaySteps(scene), -finest) > MostGradedSteps)
+  {
+    ++finest;
+  }
+  return finest;
+}
+
+// Empty cells are the coarsest of all: a ray goes over them as far as it can.
+constexpr int AnyLength = ExactGrade + 1;
+
+// Kind and distance of each cell, given the grade of its steps; `finest` is that of kind 1.
+std::vector<std::uint16_t> CodesOf(
+  const std::vector<int>& lengths, int finest, const glm::ivec3& cells)
+{
+  std::vector<std::uint16_t> codes(lengths.size());
+  std::vector<CellKind> finer(lengths.size());
+  for (const int length : std::set<int>(lengths.begin(), lengths.end()))
+  {
+    std::transform(lengths.begin(), lengths.end(), finer.begin(),
+      [length](int other) { return other < length ? CellKind::Occupied : CellKind::Empty; });
+    const int kind = length == AnyLength ? 0 : 1 + length - finest;
+    const std::vector<std::uint8_t> distances = DistancesToOtherKinds(finer, cells);
+    for (std::size_t i = 0; i < codes.size(); ++i)
+    {
+      codes[i] =
+        lengths[i] == length ? static_cast<std::uint16_t>(256 * kind + distances[i]) : codes[i];
+    }
+  }
+  return codes;
+}
 }
 
 CellMap MapOccupiedCells(const MacrocellGrid& grid, const Scene& scene)
@@ -69,6 +109,28 @@ CellMap MapOccupiedCells(const MacrocellGrid& grid, const Scene& scene)
   std::transform(kinds.begin(), kinds.end(), distances.begin(), map.Codes.begin(),
     [](CellKind kind, std::uint8_t distance)
     { return static_cast<std::uint16_t>(256 * static_cast<int>(kind) + distance); });
+  return map;
+}
+
+CellMap MapGradedCells(
+  const MacrocellGrid& grid, const std::vector<glm::vec2>& changes, const Scene& scene)
+{
+  CellMap map;
+  map.Cells = grid.Cells;
+  map.EdgeVoxels = grid.EdgeVoxels;
+  const std::vector<CellKind> occupied = KindsOf(grid, scene);
+  MeasureOccupied(occupied, scene, map);
+  const StepGrades chosen = GradeSteps(grid, changes, scene);
+  const std::vector<std::int8_t>& grades = chosen.Grades;
+  map.ExpectedError = chosen.ExpectedError;
+  const int finest = FinestOf(grades, scene);
+  map.FinestStepVoxels = std::ldexp(scene.Sampling.StepVoxels, finest);
+  std::vector<int> lengths(grades.size());
+  for (std::size_t i = 0; i < lengths.size(); ++i)
+  {
+    lengths[i] = occupied[i] == CellKind::Empty ? AnyLength : std::max<int>(grades[i], finest);
+  }
+  map.Codes = CodesOf(lengths, finest, grid.Cells);
   return map;
 }
 

@@ -36,11 +36,25 @@ struct CellMap
   glm::dvec3 OccupiedLow{ 0.0 };
   glm::dvec3 OccupiedHigh{ 0.0 };
   double OccupiedShare = 1.0; // of the cells
+
+  /// Where steps may have different lengths: the finest of them, in the units of the scene's
+  /// StepVoxels; 0: all have that. Kind 1 + n then allows steps of 2^n times the finest, and the
+  /// distance is that to the nearest cell that allows less: all nearer ones allow as much or are
+  /// empty.
+  double FinestStepVoxels = 0.0;
+
+  /// With these steps, of a picture; above the target where the finest are still too long for it.
+  double ExpectedError = 0.0;
   ChangeStamp Stamp = 0;
 };
 
 /// For the blend modes Composite and Gradient, whose empty cells change nothing.
 VOLUMEBENCHENGINE_EXPORT CellMap MapOccupiedCells(const MacrocellGrid& grid, const Scene& scene);
+
+/// The same with steps as long as the error target of the scene allows; `changes` are those of
+/// MeasureFieldChanges.
+VOLUMEBENCHENGINE_EXPORT CellMap MapGradedCells(
+  const MacrocellGrid& grid, const std::vector<glm::vec2>& changes, const Scene& scene);
 
 /// For Maximum and Minimum, whose cells matter only to rays that have not met a greater extreme.
 VOLUMEBENCHENGINE_EXPORT CellMap MapExtremes(const MacrocellGrid& grid, const Scene& scene);

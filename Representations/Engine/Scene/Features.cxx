@@ -26,9 +26,14 @@ bool HasMode(const Scene& s, BlendMode mode)
 // From where on the rounding of a sum of steps nears the sixth digit.
 constexpr double ManySteps = 4096.0;
 
+bool HasGradedSteps(const Scene& s)
+{
+  return s.Skipping.Cells && s.Skipping.Cells->FinestStepVoxels > 0.0;
+}
+
 bool HasLongRays(const Scene& s)
 {
-  return LongestRaySteps(s) > ManySteps && !HasMode(s, BlendMode::Maximum) &&
+  return !HasGradedSteps(s) && LongestRaySteps(s) > ManySteps && !HasMode(s, BlendMode::Maximum) &&
     !HasMode(s, BlendMode::Minimum);
 }
 
@@ -45,7 +50,8 @@ bool HasStiffSteps(const Scene& s)
   const double edge =
     std::max({ glm::length(edges[0]), glm::length(edges[1]), glm::length(edges[2]) });
   return s.Sampling.Integration == Integrator::Segment && Composites(s) && !HasOneColor(s) &&
-    s.TransferFunction.MaximumExtinction * s.Sampling.StepVoxels * edge > ThinDepth;
+    (HasGradedSteps(s) ||
+      s.TransferFunction.MaximumExtinction * s.Sampling.StepVoxels * edge > ThinDepth);
 }
 
 // Occupied cells all over: looking where the empty ones are costs more than they give.
@@ -54,7 +60,8 @@ constexpr double MostOccupied = 0.9;
 bool HasEmptyCells(const Scene& s)
 {
   const CellMap* cells = s.Skipping.Cells.get();
-  return cells && (!cells->Extremes.empty() || cells->OccupiedShare < MostOccupied);
+  return cells &&
+    (!cells->Extremes.empty() || cells->OccupiedShare < MostOccupied || HasGradedSteps(s));
 }
 
 bool HasEmptyMargin(const Scene& s)
@@ -120,6 +127,43 @@ const char* WhyNoEmptyMargin(const Scene& s)
 {
   const char* why = WhyNoSkipping(s);
   return why ? why : "it is the whole volume";
+}
+
+// Null where the steps can be as long as the error target allows.
+const char* WhyNotGraded(const Scene& s)
+{
+  const Sampling& sampling = s.Sampling;
+  if (sampling.ErrorTarget <= 0.0)
+  {
+    return "off";
+  }
+  if (!sampling.StepsMayVary)
+  {
+    return "all steps of this technique are alike";
+  }
+  if (!HasMode(s, BlendMode::Composite))
+  {
+    return "no effect in this blend mode";
+  }
+  if (sampling.Integration != Integrator::Midpoint && sampling.Integration != Integrator::Segment)
+  {
+    return "only Midpoint and Segment can keep a target";
+  }
+  if (!sampling.SkipsEmptySpace)
+  {
+    return "empty space skipping is off";
+  }
+  if (s.Lighting.Enabled || !s.TransferFunction.GradientTable.empty())
+  {
+    return "the error of what gradients change is not known";
+  }
+  if (s.Volume.Channels > 1)
+  {
+    return "the error of several components is not known";
+  }
+  return s.Volume.Nearest || s.Volume.HasBlanks() || s.Clip.CropRegionFlags != 0
+    ? "the error where values jump is not known"
+    : nullptr;
 }
 
 const char* WhyNotIntegrator(const Scene& s, Integrator integrator)
@@ -224,6 +268,8 @@ std::vector<FeatureRow> SkippingRows()
       HasEmptyMargin, WhyNoEmptyMargin },
     { Feature::Skipping, "skipping", "WITH_SKIPPING", "empty space skipping", "off", HasEmptyCells,
       WhyNoEmptyCells },
+    { Feature::AdaptiveSteps, "adaptive-steps", "WITH_ADAPTIVE_STEPS", "steps by the error target",
+      "off", HasGradedSteps, WhyNotGraded },
     { Feature::OneColor, "one-color", "WITH_ONE_COLOR", "one colour for all", "colours differ",
       HasOneColor },
     { Feature::SimdSteps, "simd-steps", "WITH_SIMD_STEPS", "steps side by side (SIMD)",
@@ -295,10 +341,17 @@ std::string FeatureDefines(const FeatureSet& features)
   return text;
 }
 
+bool CanGradeSteps(const Scene& scene)
+{
+  return !WhyNotGraded(scene);
+}
+
 double KernelStepVoxels(const Scene& scene)
 {
   const bool segments = Has(FeaturesNeededBy(scene), Feature::Segment);
-  return segments ? 2.0 * scene.Sampling.StepVoxels : scene.Sampling.StepVoxels;
+  const double step =
+    HasGradedSteps(scene) ? scene.Skipping.Cells->FinestStepVoxels : scene.Sampling.StepVoxels;
+  return segments ? 2.0 * step : step;
 }
 
 bool MovesBorders(const FeatureSet& features)

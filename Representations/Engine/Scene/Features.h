@@ -41,6 +41,7 @@ enum class Feature
   RasterisedSetUp,
   TightBox,
   Skipping,
+  AdaptiveSteps,
   OneColor,
   SimdSteps,
   Count
@@ -99,6 +100,13 @@ VOLUMEBENCHENGINE_EXPORT double FullScaleSamples(const Scene& scene);
 
 /// The most steps that the kernels take along a ray, since one software renderer ends loops there.
 constexpr int MostSteps = 16 * 65535;
+
+/// The most of the finest steps where steps have different lengths: four are taken in a turn of the
+/// loop that ends after 65535.
+constexpr int MostGradedSteps = 4 * 60000;
+
+/// Whether steps are to be as long as an error target allows, as far as the scene tells.
+VOLUMEBENCHENGINE_EXPORT bool CanGradeSteps(const Scene& scene);
 
 /// What a GLSL text of these features begins with: the oldest version that has what they need.
 VOLUMEBENCHENGINE_EXPORT std::string GlslHead(bool compute, const FeatureSet& features);

@@ -21,6 +21,7 @@ ChangeStamp PictureStampOf(const Scene& scene)
   const Sampling& sampling = scene.Sampling;
   ExtendStamp(stamp, sampling.SetUp);
   ExtendStamp(stamp, sampling.StepVoxels);
+  ExtendStamp(stamp, sampling.ErrorTarget);
   ExtendStamp(stamp, sampling.WorkGroup.x);
   ExtendStamp(stamp, sampling.WorkGroup.y);
   ExtendStamp(stamp, sampling.Order);

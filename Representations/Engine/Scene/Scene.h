@@ -231,6 +231,8 @@ struct Sampling
   int TableSize = 0;   // entries of the transfer-function table; 0: as many as it needs
   bool SkipsEmptySpace = true;
   int MacrocellVoxels = 0;           // edge of a macrocell; 0: by the size of the volume
+  double ErrorTarget = 0.0;          // root mean square of a picture; 0: all steps are alike
+  bool StepsMayVary = false;         // the technique can take steps of different lengths
   double TerminationThreshold = 0.0; // remaining transmittance at which a ray stops
   glm::ivec2 WorkGroup{ 0 };         // pixels of a compute work group; 0: to be found by measuring
   VoxelOrder Order = VoxelOrder::Naive;

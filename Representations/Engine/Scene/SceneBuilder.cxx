@@ -2,6 +2,7 @@
 
 #include "Scene/CameraBuilder.h"
 #include "Scene/CellMap.h"
+#include "Scene/FieldChanges.h"
 #include "Scene/FromVtk.h"
 #include "Scene/KernelScene.h"
 #include "Scene/Features.h"
@@ -103,6 +104,12 @@ Sampling BuildSampling(vtkVolumeBenchMapper* mapper)
   {
     throw SceneError("the termination threshold is " +
       std::to_string(sampling.TerminationThreshold) + "; it must be in [0, 1)");
+  }
+  sampling.ErrorTarget = mapper->GetErrorTarget();
+  if (!(sampling.ErrorTarget >= 0.0 && sampling.ErrorTarget <= 1.0))
+  {
+    throw SceneError("the error target is " + std::to_string(sampling.ErrorTarget) +
+      "; it must be in [0, 1], where 0 takes all steps alike");
   }
   if (sampling.JitterSeed < 0 || sampling.JitterSeed > MostJitterSeed)
   {
@@ -214,6 +221,20 @@ void KeepColorOfSegments(TransferFunction& function)
   }
 }
 
+// Of what the lengths of steps depend on beside the grid.
+ChangeStamp GradesStampOf(const Scene& scene)
+{
+  ChangeStamp stamp = scene.TransferFunction.Stamp;
+  ExtendStamp(stamp, scene.Sampling.ErrorTarget);
+  ExtendStamp(stamp, scene.Sampling.StepVoxels);
+  ExtendStamp(stamp, scene.Sampling.Integration);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    ExtendStamp(stamp, glm::length(glm::dvec3(scene.Volume.VoxelToData[axis])));
+  }
+  return stamp;
+}
+
 double MeanEdge(const Volume& volume)
 {
   const glm::dmat3 edges(volume.VoxelToData);
@@ -282,13 +303,24 @@ void SceneBuilder::BuildSkipping(Scene& scene)
     this->GridStamp = gridStamp;
   }
   const bool extreme = mode == BlendMode::Maximum || mode == BlendMode::Minimum;
+  const bool graded = CanGradeSteps(scene);
+  if (graded && gridStamp != this->ChangesStamp)
+  {
+    this->Changes = MeasureFieldChanges(scene.Volume, *this->Grid);
+    this->ChangesStamp = gridStamp;
+  }
   ChangeStamp stamp = gridStamp;
+  if (graded)
+  {
+    ExtendStamp(stamp, GradesStampOf(scene));
+  }
   ExtendStamp(stamp, extreme ? 0 : scene.TransferFunction.ExtinctionStamp);
   ExtendStamp(stamp, mode);
   if (stamp != this->SkipsStamp)
   {
-    CellMap cells =
-      extreme ? MapExtremes(*this->Grid, scene) : MapOccupiedCells(*this->Grid, scene);
+    CellMap cells = extreme ? MapExtremes(*this->Grid, scene)
+      : graded              ? MapGradedCells(*this->Grid, this->Changes, scene)
+                            : MapOccupiedCells(*this->Grid, scene);
     cells.Stamp = stamp;
     this->Skips.Cells = std::make_shared<CellMap>(std::move(cells));
     this->SkipsStamp = stamp;
@@ -296,6 +328,12 @@ void SceneBuilder::BuildSkipping(Scene& scene)
       std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
   }
   scene.Skipping = this->Skips;
+  if (graded)
+  {
+    // Light that a ray stops short of is an error as well; a quarter of the target is left to it.
+    scene.Sampling.TerminationThreshold =
+      std::min(scene.Sampling.TerminationThreshold, 0.25 * scene.Sampling.ErrorTarget);
+  }
 }
 
 Volume SceneBuilder::BuildVolume(
@@ -332,11 +370,12 @@ Scene SceneBuilder::Build(vtkVolumeBenchMapper* mapper, vtkRenderer* renderer, v
   scene.Volume.FiniteRange[1] = range.High;
   RefuseUnsupported(scene, mapper, property);
   this->BuildFunction(property, scene, target.LargestTable);
-  this->BuildSkipping(scene);
   scene.Camera = BuildCamera(renderer, target.Viewport);
   scene.Lighting = BuildLighting(renderer, property);
   scene.Lighting.Damping = mapper->GetLightingDamping();
   scene.Clip = BuildClip(mapper, renderer);
+  scene.Sampling.StepsMayVary = target.StepsMayVary;
+  this->BuildSkipping(scene);
   return scene;
 }
 }

@@ -21,8 +21,9 @@ namespace volumebench
 /// What a scene has to know of the place that its picture goes to.
 struct RenderTarget
 {
-  glm::ivec4 Viewport{ 0 }; // x, y, width, height in pixels
-  int LargestTable = 0;     // entries of the longest table that the device takes
+  glm::ivec4 Viewport{ 0 };  // x, y, width, height in pixels
+  int LargestTable = 0;      // entries of the longest table that the device takes
+  bool StepsMayVary = false; // the technique can take steps of different lengths
 };
 
 struct ScalarRange
@@ -54,6 +55,8 @@ private:
   SegmentTable Segments;                     // of Function
   std::shared_ptr<const MacrocellGrid> Grid; // of the volume with GridStamp
   ChangeStamp GridStamp = 0;
+  std::vector<glm::vec2> Changes; // of the grid with ChangesStamp
+  ChangeStamp ChangesStamp = 0;
   volumebench::Skipping Skips; // of the grid and the function with SkipsStamp
   ChangeStamp SkipsStamp = 0;
 };

@@ -12,6 +12,7 @@ namespace volumebench
 class ComputeRayCast : public OpenGlTechnique
 {
 public:
+  bool StepsMayVary() const override { return true; }
   std::string WhyUnsupported(vtkOpenGLRenderWindow* window) const override;
 
 protected:

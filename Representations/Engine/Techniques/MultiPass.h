@@ -9,6 +9,9 @@ namespace volumebench
 {
 class MultiPass : public OpenGlTechnique
 {
+public:
+  bool StepsMayVary() const override { return true; }
+
 protected:
   FeatureSet FeaturesFor(const Scene& scene) const override;
   void Compile(const Scene& scene) override;

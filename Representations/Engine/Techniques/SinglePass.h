@@ -9,6 +9,9 @@ namespace volumebench
 {
 class SinglePass : public OpenGlTechnique
 {
+public:
+  bool StepsMayVary() const override { return true; }
+
 protected:
   void Compile(const Scene& scene) override;
   void Draw(

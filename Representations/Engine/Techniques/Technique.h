@@ -50,6 +50,9 @@ public:
   /// What results say of a device that is not OpenGL's; empty for a technique without one.
   virtual std::string GetDeviceName() const { return {}; }
 
+  /// Whether its steps may have different lengths, as the cells of a graded CellMap say.
+  virtual bool StepsMayVary() const { return false; }
+
   /// Uploads and compiles what the scene changed. Throws SceneError or KernelError.
   virtual void Prepare(const Scene& scene, vtkOpenGLRenderWindow* window) = 0;
 

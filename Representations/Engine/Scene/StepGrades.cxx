@@ -1,0 +1,231 @@
+#include "Scene/StepGrades.h"
+
+#include "AllCores.h"
+#include "Scene/FunctionChanges.h"
+#include "Scene/Majorant.h"
+
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace volumebench
+{
+namespace
+{
+// How an integrator's error grows with what changes over a step. The powers of the step are those
+// of its order; the factors were set so that measured errors of scanned and generated volumes stay
+// below what is expected, also where a view meets a plane at one phase of the steps in all pixels.
+struct ErrorModel
+{
+  double Straight; // of the second difference of the function over what a straight field changes by
+  double Bent;     // of its first difference over what the field departs from a straight line by
+  double Color;    // of the change of colour over a step that hides what is behind its front
+};
+
+constexpr ErrorModel MidpointModel = { 0.25, 0.013, 0.17 };
+constexpr ErrorModel SegmentModel = { 0.01, 0.05, 0.05 };
+
+double VoxelLength(const Scene& scene)
+{
+  const glm::dmat3 edges(scene.Volume.VoxelToData);
+  return (glm::length(edges[0]) + glm::length(edges[1]) + glm::length(edges[2])) / 3.0;
+}
+
+// How far the colour of a step is that of its front: 0 for a thin one, 1 for one that hides.
+double FrontWeight(double depth)
+{
+  return depth < 0.1 ? depth / 6.0
+                     : 1.0 - 2.0 / depth + 2.0 * std::exp(-depth) / -std::expm1(-depth);
+}
+
+// Of the light that comes from behind a cell of this depth, if its rays are of all lengths in it.
+double Passing(double depth)
+{
+  return depth < 1.0e-4 ? 1.0 - depth : -std::expm1(-2.0 * depth) / (2.0 * depth);
+}
+
+using CellErrors = std::array<float, GradeCount>;
+
+CellErrors ErrorsOf(const Scene& scene, const FunctionChanges& function, int edgeVoxels,
+  const glm::vec2& range, const glm::vec2& change)
+{
+  const bool segment = scene.Sampling.Integration == Integrator::Segment;
+  const ErrorModel& model = segment ? SegmentModel : MidpointModel;
+  const double voxel = VoxelLength(scene);
+  const FunctionChanges::Range entries = function.RangeOf(range.x, range.y);
+  const double cell = (range.y - range.x) * function.PerValue();
+  const double extinction = function.MeanExtinction(entries);
+  const double depth = extinction * voxel * edgeVoxels;
+  CellErrors errors;
+  for (int i = 0; i < GradeCount; ++i)
+  {
+    const double step = std::ldexp(scene.Sampling.StepVoxels, i + FinestGrade);
+    // A long step passes through the values of several cells.
+    const double all = cell * std::max(1.0, step / edgeVoxels);
+    const double straight = std::min(change.x * step * function.PerValue(), all);
+    const double bent = std::min(model.Bent * change.y * step * step * function.PerValue(), all);
+    const double integral =
+      model.Straight * function.Second(entries, straight) + function.First(entries, bent);
+    const double order = model.Color * FrontWeight(extinction * voxel * step) *
+      -std::expm1(-depth) * function.Color(entries, straight);
+    errors[i] = static_cast<float>(Passing(depth) * voxel * edgeVoxels * integral + order);
+  }
+  return errors;
+}
+
+// Walks the rows of cells along an axis, there or back, and notes for each cell what share of its
+// error is seen: the square of what passes of its light, over the number of rows that show
+// anything.
+class Sight
+{
+public:
+  Sight(const MacrocellGrid& grid, const std::vector<float>& leastDepths)
+    : Cells(grid.Cells)
+    , Depths(leastDepths)
+    , Shares(leastDepths.size(), 0.0f)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      this->AddAxis(axis);
+    }
+  }
+
+  const std::vector<float>& GetShares() const { return this->Shares; }
+
+private:
+  std::ptrdiff_t StrideOf(int axis) const
+  {
+    return axis == 0 ? 1
+                     : (axis == 1 ? this->Cells.x : this->Cells.x * std::ptrdiff_t(this->Cells.y));
+  }
+
+  void AddAxis(int axis)
+  {
+    const int across = (axis + 1) % 3;
+    const int up = (axis + 2) % 3;
+    int shown = 0;
+    std::vector<float> passing(this->Depths.size(), 0.0f);
+    for (int j = 0; j < this->Cells[up]; ++j)
+    {
+      for (int i = 0; i < this->Cells[across]; ++i)
+      {
+        const std::ptrdiff_t first = i * this->StrideOf(across) + j * this->StrideOf(up);
+        shown += this->FollowRow(first, axis, passing) ? 1 : 0;
+      }
+    }
+    for (std::size_t i = 0; shown > 0 && i < passing.size(); ++i)
+    {
+      this->Shares[i] += passing[i] / (6.0f * static_cast<float>(shown));
+    }
+  }
+
+  bool FollowRow(std::ptrdiff_t first, int axis, std::vector<float>& passing) const
+  {
+    bool any = false;
+    for (const int direction : { 1, -1 })
+    {
+      float light = 1.0f;
+      for (int i = 0; i < this->Cells[axis]; ++i)
+      {
+        const int cell = direction > 0 ? i : this->Cells[axis] - 1 - i;
+        const std::ptrdiff_t at = first + cell * this->StrideOf(axis);
+        any = any || this->Depths[at] >= 0.0f;
+        passing[at] += light * light;
+        light *= std::exp(-std::max(this->Depths[at], 0.0f));
+      }
+    }
+    return any;
+  }
+
+  glm::ivec3 Cells;
+  const std::vector<float>&
+    Depths; // optical depth that a cell has at least; below 0: it shows nothing
+  std::vector<float> Shares;
+};
+
+// The grade at which the error of a cell and the number of its steps, at this price of steps, cost
+// least.
+int CheapestGrade(const CellErrors& errors, double price)
+{
+  int best = 0;
+  double least = HUGE_VAL;
+  for (int i = 0; i < GradeCount; ++i)
+  {
+    const double cost =
+      static_cast<double>(errors[i]) * errors[i] + price * std::ldexp(1.0, -(i + FinestGrade));
+    if (cost < least)
+    {
+      least = cost;
+      best = i;
+    }
+  }
+  return best;
+}
+
+// Of the picture, if errors of different cells have nothing to do with each other.
+double PictureError(
+  const std::vector<CellErrors>& errors, const std::vector<float>& shares, double price)
+{
+  double sum = 0.0;
+  for (std::size_t i = 0; i < errors.size(); ++i)
+  {
+    const double error = errors[i][CheapestGrade(errors[i], price)];
+    sum += shares[i] * error * error;
+  }
+  return std::sqrt(sum);
+}
+
+// The highest price of steps at which the picture keeps the target, to a tenth.
+double PriceFor(
+  double target, const std::vector<CellErrors>& errors, const std::vector<float>& shares)
+{
+  double low = -40.0;
+  double high = 40.0;
+  while (high - low > 0.1)
+  {
+    const double middle = 0.5 * (low + high);
+    (PictureError(errors, shares, std::exp2(middle)) <= target ? low : high) = middle;
+  }
+  return std::exp2(low);
+}
+}
+
+StepGrades GradeSteps(
+  const MacrocellGrid& grid, const std::vector<glm::vec2>& changes, const Scene& scene)
+{
+  const FunctionChanges function(scene);
+  const Majorant majorant(scene);
+  const double length = VoxelLength(scene) * grid.EdgeVoxels;
+  std::vector<CellErrors> errors(grid.Ranges.size(), CellErrors{});
+  std::vector<float> leastDepths(grid.Ranges.size(), -1.0f);
+  ForOnAllCores(0, static_cast<vtkIdType>(errors.size()), 0,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        const glm::vec2& range = grid.Ranges[i];
+        if (range.x <= range.y && majorant.Of(range.x, range.y) > 0.0f)
+        {
+          const double least = function.LeastExtinction(function.RangeOf(range.x, range.y));
+          leastDepths[i] = static_cast<float>(least * length);
+          errors[i] = ErrorsOf(scene, function, grid.EdgeVoxels, range, changes[i]);
+        }
+      }
+    });
+  const Sight sight(grid, leastDepths);
+  const double price = PriceFor(scene.Sampling.ErrorTarget, errors, sight.GetShares());
+  StepGrades grades;
+  grades.ExpectedError = PictureError(errors, sight.GetShares(), price);
+  grades.Grades.reserve(errors.size());
+  for (const CellErrors& cell : errors)
+  {
+    const bool exact = cell.back() <= 0.0f;
+    const int grade = exact ? ExactGrade : CheapestGrade(cell, price) + FinestGrade;
+    grades.Grades.push_back(static_cast<std::int8_t>(grade));
+  }
+  return grades;
+}
+}
