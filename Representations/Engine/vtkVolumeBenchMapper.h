@@ -73,22 +73,11 @@ public:
   ///@{
   /**
    * Length of a step in voxel edges, measured in the grid's index space, so that every ray samples
-   * the grid equally densely however stretched its spacing is. Must be at least 1/1024; default
-   * 0.5.
+   * the grid equally densely however stretched its spacing is; at least 1/1024, default 0.5. With an
+   * ErrorTarget, a root mean square (0: none), macrocells have 1/32 to 8 times it, as that allows.
    */
   vtkSetMacro(StepVoxels, double);
   vtkGetMacro(StepVoxels, double);
-  ///@}
-
-  ///@{
-  /**
-   * Root mean square error of a picture that is to be kept, in [0, 1], on linear premultiplied RGBA
-   * over what the volume covers; 0 (default): every step has the length StepVoxels. With a target,
-   * each cell of the volume has the longest steps that it allows, from 1/32 to 8 times StepVoxels
-   * or as long as the cell where nothing changes in it, by how fast the values and the transfer
-   * function change; and rays stop at a quarter of the target at the latest. For techniques that
-   * cast rays, Midpoint and Segment, blend mode Composite without shading.
-   */
   vtkSetMacro(ErrorTarget, double);
   vtkGetMacro(ErrorTarget, double);
   ///@}
@@ -119,9 +108,8 @@ public:
 
   ///@{
   /**
-   * Leaves out what cannot be seen: rays jump over cells of the volume in which no value has any
-   * opacity, or for Maximum and Minimum none that would change the pixel. The picture is the same.
-   * Default on.
+   * Leaves out what cannot be seen: rays jump over cells in which no value has any opacity, or for
+   * Maximum and Minimum none that would change the pixel. The picture is the same. Default on.
    */
   vtkSetMacro(Skipping, bool);
   vtkGetMacro(Skipping, bool);
@@ -140,8 +128,7 @@ public:
   ///@{
   /**
    * A ray stops when less than this share of light would still get through; 0 switches early
-   * termination off. In [0, 1); default 0.001, a quarter of a step of an 8-bit
-   * picture.
+   * termination off. In [0, 1); default 0.001, a quarter of a step of an 8-bit picture.
    */
   vtkSetMacro(TerminationThreshold, double);
   vtkGetMacro(TerminationThreshold, double);

@@ -132,12 +132,11 @@ const char* WhyNoEmptyMargin(const Scene& s)
 // Null where the steps can be as long as the error target allows.
 const char* WhyNotGraded(const Scene& s)
 {
-  const Sampling& sampling = s.Sampling;
-  if (sampling.ErrorTarget <= 0.0)
+  if (s.Sampling.ErrorTarget <= 0.0)
   {
     return "off";
   }
-  if (!sampling.StepsMayVary)
+  if (!s.Sampling.StepsMayVary)
   {
     return "all steps of this technique are alike";
   }
@@ -145,11 +144,12 @@ const char* WhyNotGraded(const Scene& s)
   {
     return "no effect in this blend mode";
   }
-  if (sampling.Integration != Integrator::Midpoint && sampling.Integration != Integrator::Segment)
+  if (s.Sampling.Integration != Integrator::Midpoint &&
+    s.Sampling.Integration != Integrator::Segment)
   {
     return "only Midpoint and Segment can keep a target";
   }
-  if (!sampling.SkipsEmptySpace)
+  if (!s.Sampling.SkipsEmptySpace)
   {
     return "empty space skipping is off";
   }
@@ -157,13 +157,9 @@ const char* WhyNotGraded(const Scene& s)
   {
     return "the error of what gradients change is not known";
   }
-  if (s.Volume.Channels > 1)
-  {
-    return "the error of several components is not known";
-  }
-  return s.Volume.Nearest || s.Volume.HasBlanks() || s.Clip.CropRegionFlags != 0
-    ? "the error where values jump is not known"
-    : nullptr;
+  const bool jumps = s.Volume.Nearest || s.Volume.HasBlanks() || s.Clip.CropRegionFlags != 0;
+  return s.Volume.Channels > 1 ? "the error of several components is not known"
+                               : (jumps ? "the error where values jump is not known" : nullptr);
 }
 
 const char* WhyNotIntegrator(const Scene& s, Integrator integrator)
