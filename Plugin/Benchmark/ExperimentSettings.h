@@ -27,8 +27,8 @@ struct ExperimentSettings
   StopRuleSettings Stop;
   int WarmUpFrames = 2;
   double CoolDownMs = 0.0; // of rest before each block of frames
-  int ErrorViews = 1; // spread evenly over the turn; 0: no error
-  int ErrorWidth = 0; // of the pictures that errors are measured on; 0: the size that is timed
+  int ErrorViews = 1;      // spread evenly over the turn; 0: no error
+  int ErrorWidth = 0;      // of the pictures that errors are measured on; 0: the size that is timed
   int ErrorHeight = 0;
   std::string PictureFolder; // where the pictures of the first error view go; empty: nowhere
   int Reference = 0; // 0: cell-exact in double precision, 1: fine steps of technique single-pass

@@ -81,7 +81,9 @@ TECHNIQUE_SETTINGS = {
         "VoxelOrder", ("compute", "cuda"), ("Naive", "Block Shape", "In-Place Rotation")
     ),
     "picture_transfer": TechniqueSetting(
-        "PictureTransfer", ("cuda",), ("Register Once", "Register Each Frame", "Through Host")
+        "PictureTransfer",
+        ("cuda",),
+        ("Register Once", "Register Each Frame", "Through Host"),
     ),
     "slice_extent": TechniqueSetting(
         "SliceExtent", _SLICING, ("Vertex Depth", "Vertex Distance", "Central Ray")

@@ -73,8 +73,8 @@ public:
   ///@{
   /**
    * Length of a step in voxel edges, measured in the grid's index space, so that every ray samples
-   * the grid equally densely however stretched its spacing is; at least 1/1024, default 0.5. With an
-   * ErrorTarget, a root mean square (0: none), macrocells have 1/32 to 8 times it, as that allows.
+   * the grid equally densely however stretched its spacing is; at least 1/1024, default 0.5. With
+   * an ErrorTarget, a root mean square (0: none), cells have 1/32 to 8 times it, as that allows.
    */
   vtkSetMacro(StepVoxels, double);
   vtkGetMacro(StepVoxels, double);
@@ -110,17 +110,12 @@ public:
   /**
    * Leaves out what cannot be seen: rays jump over cells in which no value has any opacity, or for
    * Maximum and Minimum none that would change the pixel. The picture is the same. Default on.
+   * The cells have MacrocellVoxels voxels along an edge, at least 2; 0 (default): 4, or 8 above 256
+   * voxels on the longest axis, or 16 above 512.
    */
   vtkSetMacro(Skipping, bool);
   vtkGetMacro(Skipping, bool);
   vtkBooleanMacro(Skipping, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Voxels along the edge of the cells that Skipping goes by, at least 2; 0 (default): 4, or 8
-   * above 256 voxels on the longest axis, or 16 above 512.
-   */
   vtkSetMacro(MacrocellVoxels, int);
   vtkGetMacro(MacrocellVoxels, int);
   ///@}
@@ -220,14 +215,11 @@ public:
   /**
    * Techniques slices and slices-threaded: the texture that slices are blended in. 0: RGBA32F
    * (default), 1: RGBA16F, 2: RGBA8 (loses thin media; for comparison). Blend modes other than
-   * Composite and Gradient always take RGBA32F.
+   * Composite and Gradient always take RGBA32F. SliceOrder is 0: front to back (default), or 1:
+   * back to front.
    */
   vtkSetMacro(SliceTarget, int);
   vtkGetMacro(SliceTarget, int);
-  ///@}
-
-  ///@{
-  /** Techniques slices and slices-threaded: 0: front to back (default), 1: back to front. */
   vtkSetMacro(SliceOrder, int);
   vtkGetMacro(SliceOrder, int);
   ///@}
@@ -279,17 +271,14 @@ public:
   ///@}
 
   ///@{
-  /** For measuring: times each stage of a frame, which makes the frame slower. Default off. */
+  /**
+   * For measuring: times each stage of a frame, which makes the frame slower; for showing: keeps
+   * the time of the last still picture, for GetFrameMs. A software renderer has to finish what
+   * comes before and after the frame. Both off by default.
+   */
   vtkSetMacro(TimeStages, bool);
   vtkGetMacro(TimeStages, bool);
   vtkBooleanMacro(TimeStages, bool);
-  ///@}
-
-  ///@{
-  /**
-   * For showing: keeps the time of the last still picture, for GetFrameMs. A software
-   * renderer has to finish what comes before and after the frame. Default off.
-   */
   vtkSetMacro(TimeFrames, bool);
   vtkGetMacro(TimeFrames, bool);
   vtkBooleanMacro(TimeFrames, bool);
@@ -311,15 +300,10 @@ public:
   /** Why the last render drew nothing; empty when it drew. */
   const std::string& GetFailure() const;
 
-  /**
-   * Whether the last failure was the machine's (no such API, too old a context) and not the
-   * scene's.
-   */
+  /** Whether the last failure was the machine's (no API, too old a context), not the scene's. */
   bool GetUnsupported() const;
 
-  /**
-   * Names of the features compiled into the last kernel, and of those left out, space-separated.
-   */
+  /** Names of the features compiled into the last kernel, and of those left out, with spaces. */
   std::string GetFeatures() const;
   std::string GetLeftOut() const;
 
@@ -343,9 +327,7 @@ public:
    */
   double GetFullScaleSamples() const;
 
-  /**
-   * What the technique spent on uploads and compilation, and its bytes on the device.
-   */
+  /** What the technique spent on uploads and compilation, and its bytes on the device. */
   volumebench::SetUpCosts GetSetUpCosts() const;
 
   /**

@@ -195,13 +195,24 @@ def check_shipped_studies() -> None:
 
 def check_settings(folder: Path) -> None:
     """Check that each technique has the settings that Python gives it, and no others."""
-    values = {"work_group_shape": "16x8", "opencl_device": "Auto", "sample_distance_voxels": 0.25}
+    values = {
+        "work_group_shape": "16x8",
+        "opencl_device": "Auto",
+        "sample_distance_voxels": 0.25,
+    }
     for name, setting in TECHNIQUE_SETTINGS.items():
         values.setdefault(name, setting.values[-1] if setting.values else 0)
         assert setting.accepts(values[name]), name
     path = folder / "settings.json"
     plain = {key: STUDY[key] for key in STUDY if not key.startswith("technique_")}
-    for technique in ("single-pass", "compute", "opencl", "slices", "slices-threaded", "vtk-gpu"):
+    for technique in (
+        "single-pass",
+        "compute",
+        "opencl",
+        "slices",
+        "slices-threaded",
+        "vtk-gpu",
+    ):
         known = settings_of_technique(technique)
         assert known, technique
         for name, value in values.items():

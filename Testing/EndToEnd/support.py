@@ -68,7 +68,8 @@ def _listed_labels() -> dict[str, bool]:
     text = TECHNIQUE_LIST.read_text(encoding="utf-8")
     rows = r'^\s*volumebench_technique\([^)]*\bLABEL\s+"([^"]+)"([^)]*)\)'
     return {
-        label: "REQUIRES" in rest for label, rest in re.findall(rows, text, re.MULTILINE)
+        label: "REQUIRES" in rest
+        for label, rest in re.findall(rows, text, re.MULTILINE)
     }
 
 

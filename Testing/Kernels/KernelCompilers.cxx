@@ -120,8 +120,8 @@ std::vector<std::string> KernelEntries()
       entries.push_back(path);
     }
   }
-  entries.insert(entries.end(),
-    { "ProbeBuffers.cl", "ProbeNearest.cl", "ProbeFloat.cxx", "ProbeDouble.cxx" });
+  entries.insert(
+    entries.end(), { "ProbeBuffers.cl", "ProbeNearest.cl", "ProbeFloat.cxx", "ProbeDouble.cxx" });
   return entries;
 }
 

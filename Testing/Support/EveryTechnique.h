@@ -16,8 +16,8 @@ inline bool HasDeviceOfItsOwn(const std::string& technique)
   return technique == "cuda";
 }
 
-/// Why this machine cannot run a technique on a device of its own; empty when it can. OpenGL is there
-/// in every test that draws.
+/// Why this machine cannot run a technique on a device of its own; empty when it can. OpenGL is
+/// there in every test that draws.
 inline std::string WhyNotHere(const std::string& technique)
 {
   return FindTechnique(technique)->Create()->WhyNoDevice();

@@ -1,5 +1,5 @@
-// Undefines the macros that a dialect and the shared kernel text leave behind, for who instantiates the
-// text more than once. It has no include guard.
+// Undefines the macros that a dialect and the shared kernel text leave behind, for who instantiates
+// the text more than once. It has no include guard.
 #undef FUNC
 #undef STRUCT
 #undef PRECISE

@@ -39,12 +39,12 @@ class Technique
 public:
   virtual ~Technique() = default;
 
-  /// Empty when this machine can run the technique; else the sentence that says why not. The context is
-  /// current.
+  /// Empty when this machine can run the technique; else the sentence that says why not. The
+  /// context is current.
   virtual std::string WhyUnsupported(vtkOpenGLRenderWindow*) const { return this->WhyNoDevice(); }
 
-  /// Empty when there is the device that the technique needs beside OpenGL's, if it needs one; else the
-  /// sentence that says why not. Asks no context.
+  /// Empty when there is the device that the technique needs beside OpenGL's, if it needs one; else
+  /// the sentence that says why not. Asks no context.
   virtual std::string WhyNoDevice() const { return {}; }
 
   /// What results say of a device that is not OpenGL's; empty for a technique without one.

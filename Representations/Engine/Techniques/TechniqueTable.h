@@ -24,7 +24,8 @@ VOLUMEBENCHENGINE_EXPORT const std::vector<TechniqueRow>& TechniqueTable();
 /// Null when there is no such technique.
 VOLUMEBENCHENGINE_EXPORT const TechniqueRow* FindTechnique(const std::string& id);
 
-/// The device of a technique that has one beside OpenGL's; empty when this build or machine lacks it.
+/// The device of a technique that has one beside OpenGL's; empty when this build or machine lacks
+/// it.
 VOLUMEBENCHENGINE_EXPORT std::string DeviceOfTechnique(const std::string& id);
 
 /// All ids, separated by ", ", for messages.
