@@ -51,7 +51,7 @@ int RunCudaCheck(const Options& options)
   CheckWritable(path);
   const CudaCheck check = CheckCudaDevice(options.Quick ? quickSide : side,
     [](const std::string& what) { std::cerr << "checking " << what << std::endl; });
-  WriteTextFile(path, CudaDocument(check, MachineContext({})).dump(1) + "\n");
+  WriteTextFile(path, CudaDocument(check, MachineContext({}, false)).dump(1) + "\n");
   std::cout << CudaTable(check) << "Written to " << path << std::endl;
   return IsRight(check) ? 0 : 1;
 }
