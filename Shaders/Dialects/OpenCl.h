@@ -46,12 +46,12 @@ typedef int4 ivec4;
 #define BLANKING_PARAM
 #define BLANKING
 #endif
-#if WITH_SKIPPING && (WITH_MAXIMUM_BLEND || WITH_MINIMUM_BLEND)
-#define CELLS_PARAM global const float *cellExtremes,
-#define CELLS cellExtremes,
-#elif WITH_SKIPPING && WITH_SIMD_STEPS
+#if WITH_SKIPPING && WITH_SIMD_RAYS
 #define CELLS_PARAM global const ushort *cellBlocks,
 #define CELLS cellBlocks,
+#elif WITH_SKIPPING && (WITH_MAXIMUM_BLEND || WITH_MINIMUM_BLEND)
+#define CELLS_PARAM global const float *cellExtremes,
+#define CELLS cellExtremes,
 #elif WITH_SKIPPING
 #define CELLS_PARAM global const ushort *cellCodes,
 #define CELLS cellCodes,
@@ -103,7 +103,7 @@ FUNC int blankingAt(SCENE_PARAM int x, int y, int z)
 }
 #endif
 
-#if WITH_SKIPPING
+#if WITH_SKIPPING && !WITH_SIMD_RAYS
 FUNC size_t cellIndexOf(SCENE_PARAM int x, int y, int z)
 {
   return x + ((int)scene.cells.x + 1) * (y + ((int)scene.cells.y + 1) * (size_t)z);
@@ -113,7 +113,7 @@ FUNC real cellExtremeAt(SCENE_PARAM int x, int y, int z)
 {
   return cellExtremes[cellIndexOf(SCENE x, y, z)];
 }
-#elif !WITH_SIMD_STEPS
+#else
 FUNC int cellCodeAt(SCENE_PARAM int x, int y, int z)
 {
   return cellCodes[cellIndexOf(SCENE x, y, z)];

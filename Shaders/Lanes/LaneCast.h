@@ -133,7 +133,7 @@ FUNC LaneSums castLanes(SCENE_PARAM lanes pixelX, lanes pixelY, lanes windowDept
   // What is looked up for rays that miss the box lies anywhere, but in it.
   intervals.begin = count > 0 ? intervals.begin : (lanes)(0.0f);
   LaneSums sums = integratedLanes(SCENE rays, intervals, rangesOf(SCENE rays, intervals, count));
-#if WITH_SAMPLE_VIEW
+#if WITH_SAMPLE_VIEW && WITH_SAMPLE_COUNT
 #define SHOW_SAMPLES(i)                                                                            \
   {                                                                                                \
     vec4 color = sampleColor(SCENE (float)(sums.taken.s##i * SAMPLES_OF_STEP));                     \

@@ -1,6 +1,10 @@
 // Field and functions at the places of all lanes, from linear arrays: what the samplers of a
 // texture are to one place. x runs fastest; two neighbours in x are read at once.
 
+// Rays are those of the other kernels to the last bit, as rays along faces need it; from here on
+// products may be added without being rounded.
+#pragma OPENCL FP_CONTRACT ON
+
 // Where the field is looked up along one axis: the texel below, and the share of the one above it.
 typedef struct LaneTexels
 {
@@ -123,3 +127,47 @@ FUNC LaneColors classifiedLanes(SCENE_PARAM lanes value)
 #endif
   return colors;
 }
+
+#if WITH_BLANKING
+// isBlank of Shared/Sample.h at distances along the rays.
+FUNC laneInts blanksAt(SCENE_PARAM lanes x, lanes y, lanes z)
+{
+  int row = (int)scene.textureSize.x + 1;
+  int slice = row * ((int)scene.textureSize.y + 1);
+  laneInts at = INTS_OF(min(max(x, 0.0f), scene.textureSize.x)) +
+    row * INTS_OF(min(max(y, 0.0f), scene.textureSize.y)) +
+    slice * INTS_OF(min(max(z, 0.0f), scene.textureSize.z));
+  laneInts found;
+#define READ_BLANK(i) found.s##i = blankingGrid[at.s##i];
+  EACH_LANE(READ_BLANK)
+#undef READ_BLANK
+  return found;
+}
+
+FUNC laneInts areBlank(SCENE_PARAM LaneRays rays, lanes along)
+{
+  lanes x = rays.texels.origin.x + along * rays.texels.direction.x;
+  lanes y = rays.texels.origin.y + along * rays.texels.direction.y;
+  lanes z = rays.texels.origin.z + along * rays.texels.direction.z;
+  laneInts between = blanksAt(SCENE x + 1.0f, y + 1.0f, z + 1.0f);
+  laneInts round = blanksAt(SCENE x + 0.5f, y + 0.5f, z + 0.5f);
+  return ((between & 1) | (round & 2)) != 0;
+}
+
+// What the medium is where some of the values that it was found from are hidden: there the middle
+// of the step speaks for it. Nothing is seen where that is hidden too.
+FUNC LaneColors unhidden(SCENE_PARAM LaneRays rays, LaneColors medium, laneInts hidden, lanes along)
+{
+  if (anyLane(hidden))
+  {
+    LaneColors middle = classifiedLanes(SCENE fieldAtLanes(SCENE rays, along));
+    medium.red = hidden ? middle.red : medium.red;
+    medium.green = hidden ? middle.green : medium.green;
+    medium.blue = hidden ? middle.blue : medium.blue;
+    medium.extinction = hidden ? middle.extinction : medium.extinction;
+  }
+  laneInts blank = areBlank(SCENE rays, along);
+  medium.extinction = blank ? (lanes)(0.0f) : medium.extinction;
+  return medium;
+}
+#endif

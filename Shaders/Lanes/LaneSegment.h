@@ -34,6 +34,9 @@ typedef struct LaneEnds
   LanePrefix growth; // and what they grow by in it
   laneInts coarse;
   LaneColors seen;
+#if WITH_BLANKING
+  laneInts hidden; // the value means nothing
+#endif
 } LaneEnds;
 
 #if WITH_ONE_COLOR
@@ -95,6 +98,9 @@ FUNC LaneEnds laneEndsAt(SCENE_PARAM LaneRays rays, lanes along)
   LaneEnds ends;
   ends.value = fieldAtLanes(SCENE rays, along);
   ends.hold = 0.0f;
+#if WITH_BLANKING
+  ends.hidden = areBlank(SCENE rays, along);
+#endif
   return withPrefixes(SCENE ends);
 }
 
@@ -223,9 +229,16 @@ FUNC LaneResult takenSteps(
   LaneEnds back = laneEndsAt(SCENE rays, steps.begin + steps.width);
   lanes field = fieldAtLanes(SCENE rays, steps.begin + halfWidth);
   LaneEnds middle = bentMiddles(SCENE front, field, back);
+#if WITH_BLANKING
+  middle.hidden = front.hidden || back.hidden || areBlank(SCENE rays, steps.begin + halfWidth);
+#endif
   lanes halfLength = halfWidth * rays.lengthPerUnit;
   LaneColors near = classifiedBetween(SCENE front, middle, halfLength);
   LaneColors far = classifiedBetween(SCENE middle, back, halfLength);
+#if WITH_BLANKING
+  near = unhidden(SCENE rays, near, front.hidden || middle.hidden, steps.begin + 0.5f * halfWidth);
+  far = unhidden(SCENE rays, far, middle.hidden || back.hidden, steps.begin + 1.5f * halfWidth);
+#endif
   LaneResult result;
   result.sums = accumulatedLanes(sums, throughMedium(near, halfLength), active);
   result.sums = accumulatedLanes(result.sums, throughMedium(far, halfLength), active);

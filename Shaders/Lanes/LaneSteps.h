@@ -135,6 +135,9 @@ FUNC LaneResult takenSteps(
   lanes along = steps.begin;
 #endif
   LaneColors medium = classifiedLanes(SCENE fieldAtLanes(SCENE rays, along));
+#if WITH_BLANKING
+  medium = unhidden(SCENE rays, medium, 0, along);
+#endif
   LaneResult result;
   result.sums =
     accumulatedLanes(sums, throughMedium(medium, steps.width * rays.lengthPerUnit), active);

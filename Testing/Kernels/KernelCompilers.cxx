@@ -115,13 +115,15 @@ std::vector<std::string> KernelEntries()
   std::vector<std::string> entries;
   for (const std::string& path : EmbeddedKernelPaths())
   {
-    if (ExtensionOf(path) != ".h")
+    const bool needsBuffers = path == "RayCastLanes.cl"; // which ProbeLanes.cl and its like give it
+    if (ExtensionOf(path) != ".h" && !needsBuffers)
     {
       entries.push_back(path);
     }
   }
-  entries.insert(
-    entries.end(), { "ProbeBuffers.cl", "ProbeNearest.cl", "ProbeFloat.cxx", "ProbeDouble.cxx" });
+  entries.insert(entries.end(),
+    { "ProbeBuffers.cl", "ProbeNearest.cl", "ProbeLanes.cl", "ProbeEightLanes.cl",
+      "ProbeFloat.cxx", "ProbeDouble.cxx" });
   return entries;
 }
 

@@ -205,7 +205,7 @@ void OpenClScene::UpdateCells(const Skipping& skipping)
     return;
   }
   const CellMap& map = *skipping.Cells;
-  const bool blocks = Has(this->Features, Feature::SimdSteps);
+  const bool blocks = Has(this->Features, Feature::SimdRays);
   if (map.Stamp == this->CellStamp && blocks == this->HasBlocks && this->Cells.IsCreated())
   {
     return;

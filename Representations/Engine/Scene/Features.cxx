@@ -268,11 +268,11 @@ std::vector<FeatureRow> SkippingRows()
       "off", HasGradedSteps, WhyNotGraded },
     { Feature::OneColor, "one-color", "WITH_ONE_COLOR", "one colour for all", "colours differ",
       HasOneColor },
-    { Feature::SimdSteps, "simd-steps", "WITH_SIMD_STEPS", "steps side by side (SIMD)",
+    { Feature::SimdRays, "simd-rays", "WITH_SIMD_RAYS", "rays side by side in vectors",
       "for OpenCL on CPUs", [](const Scene&) { return false; },
       [](const Scene& s)
       {
-        const char* why = WhyNoSimdSteps(s);
+        const char* why = WhyNoSimdRays(s);
         return why ? why : "for OpenCL on CPUs";
       } },
   };
@@ -294,7 +294,7 @@ const std::vector<FeatureRow>& FeatureTable()
   return rows;
 }
 
-const char* WhyNoSimdSteps(const Scene& s)
+const char* WhyNoSimdRays(const Scene& s)
 {
   const TransferFunction& function = s.TransferFunction;
   if (!HasMode(s, BlendMode::Composite))
@@ -305,10 +305,9 @@ const char* WhyNoSimdSteps(const Scene& s)
   {
     return HasLongRays(s) ? "rounding is compensated" : "not with PreIntegrated";
   }
-  if (s.Volume.Channels > 1 || s.Volume.Nearest || s.Volume.HasBlanks())
+  if (s.Volume.Channels > 1 || s.Volume.Nearest)
   {
-    return s.Volume.Channels > 1 ? "several components"
-                                 : (s.Volume.Nearest ? "not interpolated" : "voxels are hidden");
+    return s.Volume.Channels > 1 ? "several components" : "not interpolated";
   }
   if (s.Lighting.Enabled || !function.GradientTable.empty())
   {

@@ -43,7 +43,7 @@ enum class Feature
   Skipping,
   AdaptiveSteps,
   OneColor,
-  SimdSteps,
+  SimdRays,
   Count
 };
 
@@ -60,9 +60,9 @@ struct FeatureRow
   const char* (*Cause)(const Scene&) = nullptr; // which says it where there is more than one
 };
 
-/// Why the steps of a ray cannot be taken side by side in vectors; null where they can. That is for
+/// Why rays cannot lie side by side in vectors; null where they can. That is for
 /// techniques on CPUs to decide: no scene needs it.
-VOLUMEBENCHENGINE_EXPORT const char* WhyNoSimdSteps(const Scene& scene);
+VOLUMEBENCHENGINE_EXPORT const char* WhyNoSimdRays(const Scene& scene);
 
 /// Why a feature is left out that is one of several choices.
 constexpr const char* NotChosen = "not chosen";

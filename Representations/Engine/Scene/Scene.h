@@ -196,7 +196,7 @@ struct OpenClChoice
 {
   std::string Device = "Auto"; // "PLATFORM: DEVICE", or a graphics card or else a CPU
   OpenClStorage Storage = OpenClStorage::Auto;
-  int Lanes = 0; // steps side by side on a CPU: 1, 8 or 16; 0 for as many as its vectors hold
+  int Lanes = 0; // rays side by side on a CPU: 1, 8 or 16; 0 for as many as its vectors hold
 };
 
 enum class ReferenceMethod

@@ -32,13 +32,13 @@ bool UsesBuffers(const Scene& scene, const OpenClDevice& device)
   return storage == OpenClStorage::Auto ? suits : storage == OpenClStorage::Buffers;
 }
 
-// Steps of a ray that a work item takes side by side. Voxels are counted by whole numbers of the
+// Rays that a work item casts side by side. Voxels are counted by whole numbers of the
 // lanes, which have 32 bits.
 int LanesFor(const Scene& scene, const OpenClDevice& device)
 {
   const glm::dvec3 texels(scene.Volume.Texels);
   const double most = static_cast<double>(std::numeric_limits<cl_int>::max());
-  if (!device.IsCpu() || !UsesBuffers(scene, device) || WhyNoSimdSteps(scene) ||
+  if (!device.IsCpu() || !UsesBuffers(scene, device) || WhyNoSimdRays(scene) ||
     (texels.x + 1.0) * (texels.y + 1.0) * (texels.z + 1.0) > most)
   {
     return 1;
@@ -81,7 +81,7 @@ FeatureSet OpenClRayCast::FeaturesFor(const Scene& scene) const
   FeatureSet features = FeaturesNeededBy(scene);
   features.reset(static_cast<std::size_t>(Feature::RasterisedSetUp));
   const OpenClDevice& device = ChooseOpenClDevice(OpenClDevices(), scene.Sampling.OpenCl.Device);
-  features.set(static_cast<std::size_t>(Feature::SimdSteps), LanesFor(scene, device) > 1);
+  features.set(static_cast<std::size_t>(Feature::SimdRays), LanesFor(scene, device) > 1);
   return features;
 }
 

@@ -19,7 +19,7 @@ public:
   SetUpCosts GetSetUpCosts() const override;
 
 protected:
-  /// SIMD steps are the choice of this technique.
+  /// SIMD rays are the choice of this technique.
   FeatureSet FeaturesFor(const Scene& scene) const override;
   bool ReadsTextures() const override { return false; }
   void Compile(const Scene& scene) override;
