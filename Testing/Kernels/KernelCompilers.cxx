@@ -122,8 +122,8 @@ std::vector<std::string> KernelEntries()
     }
   }
   entries.insert(entries.end(),
-    { "ProbeBuffers.cl", "ProbeNearest.cl", "ProbeLanes.cl", "ProbeEightLanes.cl",
-      "ProbeFloat.cxx", "ProbeDouble.cxx" });
+    { "ProbeBuffers.cl", "ProbeNearest.cl", "ProbeLanes.cl", "ProbeEightLanes.cl", "ProbeFloat.cxx",
+      "ProbeDouble.cxx" });
   return entries;
 }
 
