@@ -15,13 +15,14 @@ namespace
 {
 const std::string ShaderFolder = SOURCE_FOLDER "/Shaders";
 const std::string ProbeFolder = SOURCE_FOLDER "/Testing/Kernels";
+const std::string EngineFolder = SOURCE_FOLDER "/Representations/Engine";
 
 std::string ExtensionOf(const std::string& entry)
 {
   return std::filesystem::path(entry).extension();
 }
 
-// An embedded kernel, or a file of this test.
+// An embedded kernel, or a file of this test or of the engine.
 const char* FindText(const std::string& path)
 {
   static std::map<std::string, std::string> probes; // the pointers must outlive the call
@@ -30,6 +31,10 @@ const char* FindText(const std::string& path)
     return embedded;
   }
   std::ifstream file(ProbeFolder + "/" + path);
+  if (!file)
+  {
+    file.open(EngineFolder + "/" + path);
+  }
   if (!file)
   {
     return nullptr;
@@ -78,8 +83,7 @@ KernelVerdict CompileWith(
   {
     words.push_back(std::string("-D") + row.Define + (Has(features, row.Bit) ? "=1" : "=0"));
   }
-  for (const std::string& folder :
-    { ShaderFolder, ProbeFolder, std::string(SOURCE_FOLDER "/Representations/Engine") })
+  for (const std::string& folder : { ShaderFolder, ProbeFolder, EngineFolder })
   {
     words.insert(words.end(), { "-I", folder });
   }
