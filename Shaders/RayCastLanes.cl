@@ -1,5 +1,6 @@
 // Ray casting in OpenCL on CPUs: a work item is a tile of LANES pixels, whose rays lie in the lanes of
 // vectors. The arguments are those of RayCast.cl.
+#define CELLS_IN_BLOCKS
 #include "Dialects/OpenCl.h"
 
 #include "Lanes/LaneCast.h"

@@ -46,7 +46,7 @@ typedef int4 ivec4;
 #define BLANKING_PARAM
 #define BLANKING
 #endif
-#if WITH_SKIPPING && WITH_SIMD_RAYS
+#if WITH_SKIPPING && defined(CELLS_IN_BLOCKS)
 #define CELLS_PARAM global const ushort *cellBlocks,
 #define CELLS cellBlocks,
 #elif WITH_SKIPPING && (WITH_MAXIMUM_BLEND || WITH_MINIMUM_BLEND)
@@ -103,7 +103,7 @@ FUNC int blankingAt(SCENE_PARAM int x, int y, int z)
 }
 #endif
 
-#if WITH_SKIPPING && !WITH_SIMD_RAYS
+#if WITH_SKIPPING && !defined(CELLS_IN_BLOCKS)
 FUNC size_t cellIndexOf(SCENE_PARAM int x, int y, int z)
 {
   return x + ((int)scene.cells.x + 1) * (y + ((int)scene.cells.y + 1) * (size_t)z);

@@ -1,7 +1,5 @@
 // The same on eight lanes and numbers of 32 bits.
 #define WITH_BUFFERS 1
-#undef WITH_SIMD_RAYS
-#define WITH_SIMD_RAYS 1
 #undef WITH_OPACITY_CHANNEL // lanes are for one component
 #define WITH_OPACITY_CHANNEL 0
 #undef WITH_DIRECT_COLOR
