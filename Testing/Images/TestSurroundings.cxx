@@ -2,6 +2,7 @@
 #include "EveryTechnique.h"
 
 #include "Error/ImageError.h"
+#include "Stability/Trial.h"
 
 #include "vtkActor.h"
 #include "vtkPlaneSource.h"
@@ -21,12 +22,13 @@ double Zero(double, double, double)
   return 0.0;
 }
 
-vtkSmartPointer<vtkActor> BlackPlane(double z)
+// At a height z, up to the given corner.
+vtkSmartPointer<vtkActor> BlackPlane(double z, double highX = 30.0, double highY = 30.0)
 {
   vtkNew<vtkPlaneSource> plane;
   plane->SetOrigin(-20.0, -20.0, z);
-  plane->SetPoint1(30.0, -20.0, z);
-  plane->SetPoint2(-20.0, 30.0, z);
+  plane->SetPoint1(highX, -20.0, z);
+  plane->SetPoint2(-20.0, highY, z);
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputConnection(plane->GetOutputPort());
   auto actor = vtkSmartPointer<vtkActor>::New();
@@ -66,6 +68,21 @@ TEST_P(Surroundings, OpaqueGeometryHidesWhatIsBehind)
     EXPECT_EQ(PixelAt(picture, 32, 32).Alpha, 1.0f);
     EXPECT_NE(scene.Mapper->GetFeatures().find("opaque-depth"), std::string::npos);
   }
+}
+
+TEST_P(Surroundings, OpaqueGeometryHidesTheSameInACornerOfTheWindow)
+{
+  RenderScene scene(GetParam(), MakeImage(9, 9, 9, Zero), MakeConstantProperty(Tau));
+  scene.LookFrom(0.0, 0.0, 1.0);
+  const FloatPicture alone = scene.Picture();
+  auto plane = BlackPlane(3.0, 4.7, 5.6); // hides another part of each quarter of the picture
+  scene.Renderer->AddActor(plane);
+  scene.Renderer->ResetCameraClippingRange();
+  const FloatPicture whole = scene.Picture();
+  EXPECT_GT(WorstDifference(whole, alone), 0.1);
+  scene.Window->SetSize(2 * RenderScene::Size, 2 * RenderScene::Size);
+  scene.Renderer->SetViewport(0.5, 0.5, 1.0, 1.0);
+  EXPECT_LE(WorstDifference(scene.Picture(), whole), 1e-5);
 }
 
 TEST_P(Surroundings, MultisampledDepthIsResolved)
