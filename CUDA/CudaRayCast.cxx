@@ -52,12 +52,7 @@ void CudaRayCast::Draw(
   {
     this->DrawShared(scene, size, part);
   }
-  const GlProgram& display = this->ProgramOf({ "Viewport.vert", "Picture.frag" });
-  TextureUnits units(window);
-  display.Bind(window);
-  display.SetUnit("pictureTexture", units.Attach(this->Picture));
-  BlendOver(window);
-  this->GetFrameStages().OnDevice("display", [&] { this->DrawTriangle(window, &rectangle); });
+  this->DisplayPicture(window, this->Picture, rectangle);
 }
 
 void CudaRayCast::Cast(

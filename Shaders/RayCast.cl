@@ -3,12 +3,6 @@
 #include "Dialects/OpenCl.h"
 #include "Shared/RayCast.h"
 
-#if WITH_OPAQUE_DEPTH
-#define DEPTH_PARAM global const float *opaqueDepth, int depthWidth,
-#else
-#define DEPTH_PARAM
-#endif
-
 kernel void castRays(SCENE_PARAM DEPTH_PARAM global float4 *picture, int4 part)
 {
   const int2 texel = part.xy + (int2)((int)get_global_id(0), (int)get_global_id(1));

@@ -5,12 +5,6 @@
 
 #include "Lanes/LaneCast.h"
 
-#if WITH_OPAQUE_DEPTH
-#define DEPTH_PARAM global const float *opaqueDepth, int depthWidth,
-#else
-#define DEPTH_PARAM
-#endif
-
 kernel void castRays(SCENE_PARAM DEPTH_PARAM global float4 *picture, int4 part)
 {
   const int2 first = part.xy +

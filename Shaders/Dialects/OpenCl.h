@@ -59,6 +59,12 @@ typedef int4 ivec4;
 #define CELLS_PARAM
 #define CELLS
 #endif
+// What a kernel gets behind the scene: the depth of opaque geometry, as wide as the viewport.
+#if WITH_OPAQUE_DEPTH
+#define DEPTH_PARAM global const float *opaqueDepth, int depthWidth,
+#else
+#define DEPTH_PARAM
+#endif
 // What is not filtered comes first, the rest is the memory's.
 #define UNFILTERED_PARAM                                                                           \
   constant const SceneBlock *sceneBlock, PREFIX_PARAM BLANKING_PARAM CELLS_PARAM

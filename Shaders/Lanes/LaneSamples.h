@@ -14,7 +14,6 @@ typedef struct LaneTexels
 
 FUNC LaneTexels texelsAt(lanes place, float size)
 {
-  // The order of min and max makes 0 of NaN.
   place = min(max(place, 0.0f), size - 1.0f);
   lanes below = min(wholePart(place), max(size - 2.0f, 0.0f));
   LaneTexels at;
@@ -89,7 +88,7 @@ FUNC LaneColors classifiedLanes(SCENE_PARAM lanes value)
   float last = (float)tableEntries - 1.0f;
   lanes place =
     (value * scene.classification.x + scene.classification.y) * (float)tableEntries - 0.5f;
-  place = min(max(place, 0.0f), last);
+  place = min(fmax(place, 0.0f), last); // fmax makes 0 of NaN, which has no entry
   lanes below = min(wholePart(place), max(last - 1.0f, 0.0f));
   lanes share = place - below;
   laneInts entry = INTS_OF(below);

@@ -43,7 +43,7 @@ typedef struct LaneEnds
 FUNC LaneEnds withPrefixes(SCENE_PARAM LaneEnds ends)
 {
   lanes position = ends.value * scene.prefix.x + scene.prefix.y;
-  lanes cell = wholePart(min(max(position, 0.0f), scene.prefix.z));
+  lanes cell = wholePart(min(fmax(position, 0.0f), scene.prefix.z));
   ends.cell = INTS_OF(cell);
   ends.inCell = position - cell;
   laneInts before;
@@ -76,7 +76,7 @@ FUNC LanePrefix prefixesOf(LaneQuads bits)
 FUNC LaneEnds withPrefixes(SCENE_PARAM LaneEnds ends)
 {
   lanes position = ends.value * scene.prefix.x + scene.prefix.y;
-  lanes cell = wholePart(min(max(position, 0.0f), scene.prefix.z));
+  lanes cell = wholePart(min(fmax(position, 0.0f), scene.prefix.z));
   ends.cell = INTS_OF(cell);
   ends.inCell = position - cell;
 #define READ_LOW(i) as_float4(prefixTable[ends.cell.s##i])

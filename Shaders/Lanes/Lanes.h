@@ -7,7 +7,6 @@ typedef int16 laneInts;
 #define EACH_LANE(DO)                                                                              \
   DO(0) DO(1) DO(2) DO(3) DO(4) DO(5) DO(6) DO(7) DO(8) DO(9) DO(a) DO(b) DO(c) DO(d) DO(e) DO(f)
 #define LANE_NUMBERS ((int16)(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15))
-#define LAST_LANE(v) ((v).sf)
 #define INTS_OF(v) convert_int16(v)
 #define AS_INTS(v) as_int16(v)
 #define AS_FLOATS(v) as_float16(v)
@@ -17,7 +16,6 @@ typedef float8 lanes;
 typedef int8 laneInts;
 #define EACH_LANE(DO) DO(0) DO(1) DO(2) DO(3) DO(4) DO(5) DO(6) DO(7)
 #define LANE_NUMBERS ((int8)(0, 1, 2, 3, 4, 5, 6, 7))
-#define LAST_LANE(v) ((v).s7)
 #define INTS_OF(v) convert_int8(v)
 #define AS_INTS(v) as_int8(v)
 #define AS_FLOATS(v) as_float8(v)

@@ -85,13 +85,7 @@ void ComputeRayCast::Draw(
   const PicturePart part = PartOf(box, rectangle);
   const glm::ivec2 workGroup = this->ChooseWorkGroup(scene, window, part);
   this->GetFrameStages().OnDevice("dispatch", [&] { this->Dispatch(window, workGroup, part); });
-
-  const GlProgram& display = this->ProgramOf({ "Viewport.vert", "Picture.frag" });
-  TextureUnits units(window);
-  display.Bind(window);
-  display.SetUnit("pictureTexture", units.Attach(this->Picture.GetTexture()));
-  BlendOver(window);
-  this->GetFrameStages().OnDevice("display", [&] { this->DrawTriangle(window, &rectangle); });
+  this->DisplayPicture(window, this->Picture.GetTexture(), rectangle);
 }
 
 void ComputeRayCast::Dispatch(

@@ -2,7 +2,6 @@
 
 #include "Scene/PackScene.h"
 #include "Scene/WorkGroup.h"
-#include "Techniques/WorkGroupChoice.h"
 #include "Stopwatch.h"
 
 #include "vtkOpenGLRenderWindow.h"
@@ -95,6 +94,7 @@ void OpenClRayCast::Compile(const Scene& scene)
     this->Depth.Release();
     this->Result.Release();
     this->Session = &session;
+    this->KernelDefines.clear();
   }
   const FeatureSet features = this->GetFeatures();
   this->Data.Update(scene, features, session, UsesBuffers(scene, device));
@@ -104,17 +104,23 @@ void OpenClRayCast::Compile(const Scene& scene)
   }
   const int lanes = LanesFor(scene, device);
   this->Tile = lanes > 1 ? glm::ivec2(LaneColumns, lanes / LaneColumns) : glm::ivec2(1);
-  const KernelText text = SpecializeKernel(lanes > 1 ? LanesEntry : Entry,
-    FeatureDefines(features) + this->Data.GetDefines() + "#define LANES " + std::to_string(lanes) +
-      "\n",
-    EmbeddedKernel, LineStyle::Names);
-  if (this->Kernel && session.HasKernel(text))
+  const std::string defines = FeatureDefines(features) + this->Data.GetDefines() +
+    "#define LANES " + std::to_string(lanes) + "\n";
+  if (this->Kernel && defines == this->KernelDefines)
   {
-    this->Kernel = session.KernelOf(text, "castRays");
-    return;
+    return; // as in most frames
   }
+  const KernelText text =
+    SpecializeKernel(lanes > 1 ? LanesEntry : Entry, defines, EmbeddedKernel, LineStyle::Names);
+  const bool known = this->Kernel && session.HasKernel(text);
+  this->Kernel = nullptr;
+  this->KernelDefines = defines;
   const Stopwatch watch;
   this->Kernel = session.KernelOf(text, "castRays");
+  if (known)
+  {
+    return;
+  }
   if (device.IsCpu())
   {
     // Compiles the rest: a launch without a ray.
@@ -124,7 +130,7 @@ void OpenClRayCast::Compile(const Scene& scene)
   this->CompileMs = watch.ElapsedMs();
 }
 
-double OpenClRayCast::Cast(const Part& part, glm::ivec2 workGroup)
+double OpenClRayCast::Cast(const PicturePart& part, glm::ivec2 workGroup)
 {
   CheckWorkGroup(*this->Session, this->Kernel, workGroup);
   const glm::ivec2 size = part.End - part.First;
@@ -179,8 +185,7 @@ void OpenClRayCast::Draw(
   }
   this->Data.SetNumbers(RoundToFloat(this->GetNumbers()));
   const glm::ivec4 box = BoxRectangle(scene);
-  const glm::ivec2 first(rectangle.x - box.x, rectangle.y - box.y);
-  const Part part{ first, first + glm::ivec2(rectangle.z, rectangle.w) };
+  const PicturePart part = PartOf(box, rectangle);
   const glm::ivec2 workGroup = this->ChooseWorkGroup(scene, part);
   this->GetFrameStages().Add("dispatch", this->Cast(part, workGroup));
   this->Picture.Bind(GL_TEXTURE_2D);
@@ -192,10 +197,10 @@ void OpenClRayCast::Draw(
   }
   this->Transfer(part);
   this->Picture.Unbind();
-  this->Display(window, rectangle);
+  this->DisplayPicture(window, this->Picture, rectangle);
 }
 
-void OpenClRayCast::Transfer(const Part& part)
+void OpenClRayCast::Transfer(const PicturePart& part)
 {
   const Stopwatch watch;
   const OpenClApi& cl = OpenCl();
@@ -215,17 +220,7 @@ void OpenClRayCast::Transfer(const Part& part)
   this->GetFrameStages().Add("transfer", watch.ElapsedMs());
 }
 
-void OpenClRayCast::Display(vtkOpenGLRenderWindow* window, const glm::ivec4& rectangle)
-{
-  const GlProgram& display = this->ProgramOf({ "Viewport.vert", "Picture.frag" });
-  TextureUnits units(window);
-  display.Bind(window);
-  display.SetUnit("pictureTexture", units.Attach(this->Picture));
-  BlendOver(window);
-  this->GetFrameStages().OnDevice("display", [&] { this->DrawTriangle(window, &rectangle); });
-}
-
-glm::ivec2 OpenClRayCast::ChooseWorkGroup(const Scene& scene, const Part& part)
+glm::ivec2 OpenClRayCast::ChooseWorkGroup(const Scene& scene, const PicturePart& part)
 {
   if (scene.Sampling.WorkGroup.x > 0)
   {
@@ -235,24 +230,14 @@ glm::ivec2 OpenClRayCast::ChooseWorkGroup(const Scene& scene, const Part& part)
   {
     return CpuWorkGroup;
   }
-  const glm::ivec2 size = part.End - part.First;
-  glm::ivec2& known = MeasuredWorkGroup(this->Session->GetDevice().Name + " " +
-    this->GetFeatures().to_string() + " " + this->Data.GetDefines() +
-    SceneClass(scene, { part.First.x, part.First.y, size.x, size.y }));
-  if (known.x == 0)
-  {
-    constexpr int SmallestSide = 64;
-    const glm::ivec2 middle = glm::min(size, glm::max(size / 3, glm::ivec2(SmallestSide)));
-    const glm::ivec2 first = part.First + (size - middle) / 2;
-    std::vector<TimedWorkGroup> measured;
-    for (const glm::ivec2 shape : WorkGroupCandidates(scene))
+  const std::string device = this->Session->GetDevice().Name + " " +
+    this->GetFeatures().to_string() + " " + this->Data.GetDefines();
+  return FindWorkGroup(scene, part, device,
+    [&](glm::ivec2 shape, const PicturePart& middle)
     {
-      this->Cast({ first, first + 1 }, shape); // warms up
-      measured.push_back({ shape, this->Cast({ first, first + middle }, shape) });
-    }
-    known = FastestWorkGroup(measured);
-  }
-  return known;
+      this->Cast({ middle.First, middle.First + 1 }, shape); // warms up
+      return this->Cast(middle, shape);
+    });
 }
 
 SetUpCosts OpenClRayCast::GetSetUpCosts() const

@@ -5,8 +5,11 @@
 
 #include "OpenCl/OpenClScene.h"
 #include "Techniques/OpenGlTechnique.h"
+#include "Techniques/WorkGroupChoice.h"
 
 #include <glm/vec2.hpp>
+
+#include <string>
 
 namespace volumebench
 {
@@ -30,27 +33,20 @@ protected:
   std::size_t GetOwnBytes() const override;
 
 private:
-  /// Rays of texels of the box's picture, from `First` to before `End`.
-  struct Part
-  {
-    glm::ivec2 First{ 0 };
-    glm::ivec2 End{ 0 };
-  };
-
   /// Casts the rays of a part in work groups of this shape and waits until they are done. Returns
   /// what the kernel took, in milliseconds.
-  double Cast(const Part& part, glm::ivec2 workGroup);
+  double Cast(const PicturePart& part, glm::ivec2 workGroup);
 
   void SendDepth(const glm::ivec4& viewport);
 
   /// Maps what was cast and sends it to the texture.
-  void Transfer(const Part& part);
-  void Display(vtkOpenGLRenderWindow* window, const glm::ivec4& rectangle);
+  void Transfer(const PicturePart& part);
 
-  glm::ivec2 ChooseWorkGroup(const Scene& scene, const Part& part);
+  glm::ivec2 ChooseWorkGroup(const Scene& scene, const PicturePart& part);
 
   OpenClSession* Session = nullptr; // of the device in use
   cl_kernel Kernel = nullptr;       // the session's
+  std::string KernelDefines;        // that it was specialised with
   glm::ivec2 Tile{ 1 };             // pixels of a work item
   OpenClScene Data;
   OpenClMemory Depth; // of opaque geometry, as large as the viewport

@@ -142,6 +142,17 @@ void OpenGlTechnique::BlendOff(vtkOpenGLRenderWindow* window)
   state->vtkglDepthMask(GL_FALSE);
 }
 
+void OpenGlTechnique::DisplayPicture(
+  vtkOpenGLRenderWindow* window, GlTexture& picture, const glm::ivec4& rectangle)
+{
+  const GlProgram& display = this->ProgramOf({ "Viewport.vert", "Picture.frag" });
+  TextureUnits units(window);
+  display.Bind(window);
+  display.SetUnit("pictureTexture", units.Attach(picture));
+  BlendOver(window);
+  this->Stages.OnDevice("display", [&] { this->DrawTriangle(window, &rectangle); });
+}
+
 SetUpCosts OpenGlTechnique::GetSetUpCosts() const
 {
   SetUpCosts costs;

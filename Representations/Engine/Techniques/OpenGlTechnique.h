@@ -84,6 +84,11 @@ protected:
   static void BlendOver(vtkOpenGLRenderWindow* window);
   static void BlendOff(vtkOpenGLRenderWindow* window);
 
+  /// Blends a picture of all that the box covers over the pixels of `rectangle`, as stage
+  /// "display".
+  void DisplayPicture(
+    vtkOpenGLRenderWindow* window, GlTexture& picture, const glm::ivec4& rectangle);
+
   /// The scene's numbers while it is drawn, as PackScene gives them.
   const SceneBlock64& GetNumbers() const { return this->Numbers.GetNumbers(); }
 
