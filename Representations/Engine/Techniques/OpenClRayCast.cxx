@@ -20,6 +20,9 @@ constexpr int LaneColumns = 4; // pixels in a row of the tile of a work item: LA
 // Drivers for CPUs compile a kernel anew for each shape, and lose next to nothing with this one.
 constexpr glm::ivec2 CpuWorkGroup(16, 8);
 
+// Of what a processor casts at a time, at most.
+constexpr std::size_t BandBytes = std::size_t(1) << 21;
+
 bool UsesBuffers(const Scene& scene, const OpenClDevice& device)
 {
   const OpenClStorage storage = scene.Sampling.OpenCl.Storage;
@@ -187,7 +190,6 @@ void OpenClRayCast::Draw(
   const glm::ivec4 box = BoxRectangle(scene);
   const PicturePart part = PartOf(box, rectangle);
   const glm::ivec2 workGroup = this->ChooseWorkGroup(scene, part);
-  this->GetFrameStages().Add("dispatch", this->Cast(part, workGroup));
   this->Picture.Bind(GL_TEXTURE_2D);
   if (this->PictureSize != glm::ivec2(box.z, box.w))
   {
@@ -195,9 +197,31 @@ void OpenClRayCast::Draw(
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, box.z, box.w, 0, GL_RGBA, GL_FLOAT, nullptr);
     this->PictureSize = { box.z, box.w };
   }
-  this->Transfer(part);
+  for (const PicturePart& band : this->BandsOf(part, workGroup.y))
+  {
+    this->GetFrameStages().Add("dispatch", this->Cast(band, workGroup));
+    this->Transfer(band);
+  }
   this->Picture.Unbind();
   this->DisplayPicture(window, this->Picture, rectangle);
+}
+
+std::vector<PicturePart> OpenClRayCast::BandsOf(const PicturePart& part, int groupRows) const
+{
+  const glm::ivec2 size = part.End - part.First;
+  const int unit = groupRows * this->Tile.y;
+  const std::size_t bytes = sizeof(glm::vec4) * static_cast<std::size_t>(size.x) * size.y;
+  const int count =
+    this->Session->GetDevice().IsCpu() ? static_cast<int>(bytes / BandBytes) + 1 : 1;
+  const int units = (size.y + unit - 1) / unit;
+  const int rows = unit * std::max((units + count - 1) / count, 1);
+  std::vector<PicturePart> bands;
+  for (int first = part.First.y; first < part.End.y; first += rows)
+  {
+    bands.push_back(
+      { { part.First.x, first }, { part.End.x, std::min(first + rows, part.End.y) } });
+  }
+  return bands;
 }
 
 void OpenClRayCast::Transfer(const PicturePart& part)

@@ -10,6 +10,7 @@
 #include <glm/vec2.hpp>
 
 #include <string>
+#include <vector>
 
 namespace volumebench
 {
@@ -38,6 +39,11 @@ private:
   double Cast(const PicturePart& part, glm::ivec2 workGroup);
 
   void SendDepth(const glm::ivec4& viewport);
+
+  /// What is cast at a time: all of a part on a graphics card. A processor casts bands of whole
+  /// rows of work groups that stay in its cache until they are sent, so that the picture is not
+  /// twice in its memory.
+  std::vector<PicturePart> BandsOf(const PicturePart& part, int groupRows) const;
 
   /// Maps what was cast and sends it to the texture.
   void Transfer(const PicturePart& part);
