@@ -204,7 +204,7 @@ FUNC March graded(SCENE_PARAM Ray ray, Interval interval, March march, int longe
   real steps = floor((until - begin) / scene.sampling.x + margin);
   march.rest = TO_INT(max(REAL(1.0), min(steps, REAL(8388608.0))));
   march.longest = longest;
-  march.turns = 4 / SAMPLES_OF_STEP;
+  march.turns = longest > GRADED_LENGTHS ? 1 : 4 / SAMPLES_OF_STEP;
   return march;
 }
 

@@ -25,11 +25,15 @@
 
 // Whether macrocells tell how long the steps in them may be, in whole numbers of the finest step of
 // the scene, which is then the unit of the indices.
-#if WITH_ADAPTIVE_STEPS && WITH_SKIPPING && !WITH_MAXIMUM_BLEND && !WITH_MINIMUM_BLEND
+#if (WITH_ADAPTIVE_STEPS || WITH_HOMOGENEOUS_CELLS) && WITH_SKIPPING && !WITH_MAXIMUM_BLEND &&     \
+  !WITH_MINIMUM_BLEND
 #define GRADED_STEPS 1
 #else
 #define GRADED_STEPS 0
 #endif
+
+// In finest steps: cells that allow longer ones are homogeneous, and one step is enough for them.
+#define GRADED_LENGTHS 256
 
 #if WITH_SEGMENT
 #define SAMPLES_OF_STEP 2

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
+
 using namespace volumebench;
 using namespace volumebench::test;
 
@@ -33,6 +35,11 @@ double Constant(double, double, double)
 double Ball(double i, double j, double k)
 {
   return std::clamp(6.5 - 0.5 * std::hypot(i - 16.0, j - 16.0, k - 16.0), 0.0, 1.0);
+}
+
+double BigBall(double i, double j, double k)
+{
+  return std::clamp(15.5 - 0.5 * std::hypot(i - 32.0, j - 32.0, k - 32.0), 0.0, 1.0);
 }
 
 vtkSmartPointer<vtkVolumeProperty> Haze()
@@ -192,12 +199,14 @@ INSTANTIATE_TEST_SUITE_P(Cases, AdaptiveText,
     TextCase{ "Constant", Constant, Haze }),
   [](const auto& info) { return std::string(info.param.Name); });
 
-// A homogeneous box: four samples, whose sum is exact, whatever the target.
-TEST(AdaptiveSteps, CrossAHomogeneousBoxInOneRound)
+// A homogeneous box: one step, in closed form, whatever the target, and without any.
+void CrossInOneStep(const std::function<void(RaysOfScene&)>& useCells)
 {
   RaysOfScene rays(MakeImage(65, 65, 65, Constant, VTK_FLOAT), Haze());
   rays.GetEngine().Sampling.StepVoxels = 0.5;
-  rays.UseTarget(1e-6, 4);
+  rays.GetEngine().Sampling.StepsMayVary = true;
+  rays.GetEngine().Sampling.TerminationThreshold = 0.0;
+  useCells(rays);
   const glm::dvec3 middle = rays.GetMiddle();
   LookFromTo(rays.GetEngine(), middle + glm::dvec3(300.0, 0.0, 0.0), middle, 20.0, Pixels);
   const auto kernel = rays.Kernel<adaptiveMidpoint32::BackendScene>();
@@ -206,9 +215,52 @@ TEST(AdaptiveSteps, CrossAHomogeneousBoxInOneRound)
   for (const glm::vec2 at : { glm::vec2(16.5f), glm::vec2(3.5f, 20.5f) })
   {
     const glm::vec4 counts = adaptiveCount32::castRay(counting, at, 1.0f);
-    EXPECT_EQ(counts.x, 4.0f);
-    EXPECT_EQ(counts.y, 0.0f) << "the four are as long as the ray";
+    EXPECT_EQ(counts.x, 1.0f);
+    EXPECT_EQ(counts.y, 0.0f) << "it is as long as the ray";
     const glm::vec4 pixel = adaptiveMidpoint32::castRay(kernel, at, 1.0f);
     EXPECT_NEAR(pixel.w, 1.0 - std::exp(-64.0 * extinction), 2e-6);
   }
+}
+
+TEST(AdaptiveSteps, CrossAHomogeneousBoxInOneStep)
+{
+  CrossInOneStep([](RaysOfScene& rays) { rays.UseTarget(1e-6, 4); });
+  CrossInOneStep([](RaysOfScene& rays) { rays.UseCells(4); });
+}
+
+// A ball whose inside is of one value: rays cross that in one step and take the others as they are.
+TEST(AdaptiveSteps, CrossTheHomogeneousInsideOfABallWithoutAChangeOfThePicture)
+{
+  RaysOfScene rays(MakeImage(65, 65, 65, BigBall, VTK_FLOAT), Haze());
+  Scene& engine = rays.GetEngine();
+  engine.Sampling.StepVoxels = 0.5;
+  engine.Sampling.TerminationThreshold = 0.0;
+  LookFromTo(
+    engine, rays.GetMiddle() + glm::dvec3(250.0, 120.0, 60.0), rays.GetMiddle(), 20.0, Pixels);
+  rays.UseCells(4);
+  EXPECT_EQ(engine.Skipping.Cells->FinestStepVoxels, 0.0) << "the technique has equal steps";
+  const auto plain = rays.Kernel<skippingMidpoint32::BackendScene>();
+  std::vector<glm::vec4> expected;
+  for (int i = 0; i < Pixels * Pixels; ++i)
+  {
+    const glm::vec2 at(i % Pixels + 0.5f, i / Pixels + 0.5f);
+    expected.push_back(skippingMidpoint32::castRay(plain, at, 1.0f));
+  }
+  engine.Sampling.StepsMayVary = true;
+  rays.UseCells(4);
+  ASSERT_EQ(engine.Skipping.Cells->FinestStepVoxels, 0.5);
+  EXPECT_GT(engine.Skipping.Cells->HomogeneousShare, 0.25);
+  const auto kernel = rays.Kernel<adaptiveMidpoint32::BackendScene>();
+  const auto counting = rays.Kernel<adaptiveCount32::BackendScene>();
+  for (int i = 0; i < Pixels * Pixels; ++i)
+  {
+    const glm::vec2 at(i % Pixels + 0.5f, i / Pixels + 0.5f);
+    const glm::vec4 pixel = adaptiveMidpoint32::castRay(kernel, at, 1.0f);
+    for (int channel = 0; channel < 4; ++channel)
+    {
+      EXPECT_NEAR(pixel[channel], expected[i][channel], 1e-6) << at.x << ", " << at.y;
+    }
+  }
+  const float taken = adaptiveCount32::castRay(counting, glm::vec2(0.5f * Pixels), 1.0f).x;
+  EXPECT_LT(taken, 70.0f) << "of the 124 that the ball is long";
 }

@@ -60,9 +60,9 @@ const std::vector<FeatureWord>& FeatureWords()
     { "scene.oneColor", { F::OneColor } },
     { "cellRayOf", { F::Skipping } },
     { "scene.cells", { F::Skipping } },
-    { "lengthOfNext", { F::AdaptiveSteps } },
-    { "march.rest", { F::AdaptiveSteps } },
-    { "gradedWidthOf", { F::AdaptiveSteps } },
+    { "lengthOfNext", { F::AdaptiveSteps, F::HomogeneousCells } },
+    { "march.rest", { F::AdaptiveSteps, F::HomogeneousCells } },
+    { "gradedWidthOf", { F::AdaptiveSteps, F::HomogeneousCells } },
   };
   return words;
 }
@@ -89,12 +89,19 @@ void MakeHalfEmpty(Scene& scene)
   scene.Skipping.Cells = cells;
 }
 
-void GradeSteps(Scene& scene)
+void CrossHomogeneousCells(Scene& scene)
 {
   MakeHalfEmpty(scene);
   auto cells = std::make_shared<CellMap>(*scene.Skipping.Cells);
   cells->FinestStepVoxels = 0.25;
   scene.Skipping.Cells = cells;
+}
+
+void GradeSteps(Scene& scene)
+{
+  CrossHomogeneousCells(scene);
+  scene.Sampling.ErrorTarget = 0.001;
+  scene.Sampling.StepsMayVary = true;
 }
 
 void UseDarkSegments(Scene& scene)
@@ -142,6 +149,7 @@ const std::vector<NamedScene>& Scenes()
     { "Gradient", [](Scene& s) { s.Compositing.Mode = BlendMode::Gradient; } },
     { "half empty", MakeHalfEmpty },
     { "steps of different lengths", GradeSteps },
+    { "homogeneous cells", CrossHomogeneousCells },
     { "one colour", [](Scene& s) { s.TransferFunction.Color = glm::vec3(1.0f); } },
     { "samples shown", [](Scene& s) { s.Measurement.ShowSamples = true; } },
   };

@@ -1,4 +1,5 @@
 #include "Scene/FeatureWords.h"
+#include "Scene/StepLengths.h"
 
 #include <gtest/gtest.h>
 
@@ -237,16 +238,13 @@ TEST(Features, SayWhyAnErrorTargetIsNotKept)
   for (const Integrator integrator : { Integrator::Left, Integrator::PreIntegrated })
   {
     EXPECT_EQ(whyOf([&](Scene& s) { s.Sampling.Integration = integrator; }),
-      "only Midpoint and Segment can keep a target");
+      "only for Midpoint and Segment");
   }
   EXPECT_EQ(whyOf([](Scene& s) { s.Compositing.Mode = BlendMode::Gradient; }),
     "no effect in this blend mode");
   EXPECT_EQ(
     whyOf([](Scene& s) { s.Sampling.SkipsEmptySpace = false; }), "empty space skipping is off");
-  EXPECT_EQ(whyOf([](Scene& s) { s.Lighting.Enabled = true; }),
-    "the error of what gradients change is not known");
-  EXPECT_EQ(
-    whyOf([](Scene& s) { s.Volume.Channels = 4; }), "the error of several components is not known");
-  EXPECT_EQ(
-    whyOf([](Scene& s) { s.Volume.Nearest = true; }), "the error where values jump is not known");
+  EXPECT_EQ(whyOf([](Scene& s) { s.Lighting.Enabled = true; }), "gradients change what is seen");
+  EXPECT_EQ(whyOf([](Scene& s) { s.Volume.Channels = 4; }), "there are several components");
+  EXPECT_EQ(whyOf([](Scene& s) { s.Volume.Nearest = true; }), "values jump in places");
 }

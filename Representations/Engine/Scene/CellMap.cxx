@@ -2,6 +2,7 @@
 
 #include "Scene/CellDistances.h"
 #include "Scene/Features.h"
+#include "Scene/HomogeneousCells.h"
 #include "Scene/Majorant.h"
 #include "Scene/StepGrades.h"
 
@@ -95,6 +96,35 @@ std::vector<std::uint16_t> CodesOf(
   }
   return codes;
 }
+
+// So many of the occupied cells are homogeneous that asking for each step how long it may be costs
+// less than the steps that are left out.
+constexpr double LeastHomogeneous = 0.25;
+
+// Gives homogeneous cells steps of any length, if they are many.
+void LengthenSteps(
+  const MacrocellGrid& grid, const std::vector<CellKind>& kinds, const Scene& scene, CellMap& map)
+{
+  const std::vector<std::uint8_t> homogeneous = FindHomogeneousCells(grid, scene);
+  std::vector<int> lengths(kinds.size(), AnyLength);
+  std::size_t occupied = 0;
+  std::size_t alike = 0;
+  for (std::size_t i = 0; i < kinds.size(); ++i)
+  {
+    if (kinds[i] != CellKind::Empty)
+    {
+      lengths[i] = homogeneous[i] != 0 ? ExactGrade : 0;
+      ++occupied;
+      alike += homogeneous[i];
+    }
+  }
+  map.HomogeneousShare = occupied > 0 ? static_cast<double>(alike) / occupied : 0.0;
+  if (map.HomogeneousShare >= LeastHomogeneous)
+  {
+    map.FinestStepVoxels = scene.Sampling.StepVoxels;
+    map.Codes = CodesOf(lengths, 0, grid.Cells);
+  }
+}
 }
 
 CellMap MapOccupiedCells(const MacrocellGrid& grid, const Scene& scene)
@@ -104,6 +134,14 @@ CellMap MapOccupiedCells(const MacrocellGrid& grid, const Scene& scene)
   map.EdgeVoxels = grid.EdgeVoxels;
   const std::vector<CellKind> kinds = KindsOf(grid, scene);
   MeasureOccupied(kinds, scene, map);
+  if (!WhyNoHomogeneousCells(scene))
+  {
+    LengthenSteps(grid, kinds, scene, map);
+  }
+  if (!map.Codes.empty())
+  {
+    return map;
+  }
   const std::vector<std::uint8_t> distances = DistancesToOtherKinds(kinds, grid.Cells);
   map.Codes.resize(kinds.size());
   std::transform(kinds.begin(), kinds.end(), distances.begin(), map.Codes.begin(),

@@ -35,7 +35,8 @@ struct CellMap
   /// The box round all occupied cells, in voxels from the middle of the volume's box.
   glm::dvec3 OccupiedLow{ 0.0 };
   glm::dvec3 OccupiedHigh{ 0.0 };
-  double OccupiedShare = 1.0; // of the cells
+  double OccupiedShare = 1.0;    // of the cells
+  double HomogeneousShare = 0.0; // of the occupied ones, as far as that was asked for
 
   /// Where steps may have different lengths: the finest of them, in the units of the scene's
   /// StepVoxels; 0: all have that. Kind 1 + n then allows steps of 2^n times the finest, and the
@@ -48,7 +49,8 @@ struct CellMap
   ChangeStamp Stamp = 0;
 };
 
-/// For the blend modes Composite and Gradient, whose empty cells change nothing.
+/// For the blend modes Composite and Gradient, whose empty cells change nothing. Where enough of
+/// the others are homogeneous, a step through these may have any length.
 VOLUMEBENCHENGINE_EXPORT CellMap MapOccupiedCells(const MacrocellGrid& grid, const Scene& scene);
 
 /// The same with steps as long as the error target of the scene allows; `changes` are those of

@@ -1,5 +1,8 @@
 #include "Scene/Features.h"
 
+#include "Scene/HomogeneousCells.h"
+#include "Scene/StepLengths.h"
+
 #include "Scene/CellMap.h"
 
 #include <glm/geometric.hpp>
@@ -129,39 +132,6 @@ const char* WhyNoEmptyMargin(const Scene& s)
   return why ? why : "it is the whole volume";
 }
 
-// Null where the steps can be as long as the error target allows.
-const char* WhyNotGraded(const Scene& s)
-{
-  if (s.Sampling.ErrorTarget <= 0.0)
-  {
-    return "off";
-  }
-  if (!s.Sampling.StepsMayVary)
-  {
-    return "all steps of this technique are alike";
-  }
-  if (!HasMode(s, BlendMode::Composite))
-  {
-    return "no effect in this blend mode";
-  }
-  if (s.Sampling.Integration != Integrator::Midpoint &&
-    s.Sampling.Integration != Integrator::Segment)
-  {
-    return "only Midpoint and Segment can keep a target";
-  }
-  if (!s.Sampling.SkipsEmptySpace)
-  {
-    return "empty space skipping is off";
-  }
-  if (s.Lighting.Enabled || !s.TransferFunction.GradientTable.empty())
-  {
-    return "the error of what gradients change is not known";
-  }
-  const bool jumps = s.Volume.Nearest || s.Volume.HasBlanks() || s.Clip.CropRegionFlags != 0;
-  return s.Volume.Channels > 1 ? "the error of several components is not known"
-                               : (jumps ? "the error where values jump is not known" : nullptr);
-}
-
 const char* WhyNotIntegrator(const Scene& s, Integrator integrator)
 {
   return s.Sampling.Integration == integrator ? "no effect in this blend mode" : NotChosen;
@@ -265,7 +235,16 @@ std::vector<FeatureRow> SkippingRows()
     { Feature::Skipping, "skipping", "WITH_SKIPPING", "empty space skipping", "off", HasEmptyCells,
       WhyNoEmptyCells },
     { Feature::AdaptiveSteps, "adaptive-steps", "WITH_ADAPTIVE_STEPS", "steps by the error target",
-      "off", HasGradedSteps, WhyNotGraded },
+      "off", [](const Scene& s) { return HasGradedSteps(s) && CanGradeSteps(s); },
+      WhyNoErrorTarget },
+    { Feature::HomogeneousCells, "homogeneous-cells", "WITH_HOMOGENEOUS_CELLS",
+      "one step through homogeneous cells", "off",
+      [](const Scene& s) { return HasGradedSteps(s) && !CanGradeSteps(s); },
+      [](const Scene& s)
+      {
+        const char* why = WhyNoHomogeneousCells(s);
+        return why ? why : "few occupied cells are homogeneous";
+      } },
     { Feature::OneColor, "one-color", "WITH_ONE_COLOR", "one colour for all", "colours differ",
       HasOneColor },
     { Feature::SimdRays, "simd-rays", "WITH_SIMD_RAYS", "rays side by side in vectors",
@@ -334,11 +313,6 @@ std::string FeatureDefines(const FeatureSet& features)
     text += std::string("#define ") + row.Define + (Has(features, row.Bit) ? " 1\n" : " 0\n");
   }
   return text;
-}
-
-bool CanGradeSteps(const Scene& scene)
-{
-  return !WhyNotGraded(scene);
 }
 
 double KernelStepVoxels(const Scene& scene)

@@ -42,6 +42,7 @@ enum class Feature
   TightBox,
   Skipping,
   AdaptiveSteps,
+  HomogeneousCells,
   OneColor,
   SimdRays,
   Count
@@ -104,9 +105,6 @@ constexpr int MostSteps = 16 * 65535;
 /// The most of the finest steps where steps have different lengths: four are taken in a turn of the
 /// loop that ends after 65535.
 constexpr int MostGradedSteps = 4 * 60000;
-
-/// Whether steps are to be as long as an error target allows, as far as the scene tells.
-VOLUMEBENCHENGINE_EXPORT bool CanGradeSteps(const Scene& scene);
 
 /// What a GLSL text of these features begins with: the oldest version that has what they need.
 VOLUMEBENCHENGINE_EXPORT std::string GlslHead(bool compute, const FeatureSet& features);

@@ -7,7 +7,9 @@
 #include "Scene/KernelScene.h"
 #include "Scene/Features.h"
 #include "Scene/Majorant.h"
+#include "Scene/HomogeneousCells.h"
 #include "Scene/PrefixTable.h"
+#include "Scene/StepLengths.h"
 #include "Scene/WorkGroup.h"
 #include "Scene/TransferFunctionTable.h"
 #include "vtkVolumeBenchMapper.h"
@@ -222,7 +224,7 @@ void KeepColorOfSegments(TransferFunction& function)
 }
 
 // Of what the lengths of steps depend on beside the grid.
-ChangeStamp GradesStampOf(const Scene& scene)
+ChangeStamp StepLengthsStampOf(const Scene& scene)
 {
   ChangeStamp stamp = scene.TransferFunction.Stamp;
   ExtendStamp(stamp, scene.Sampling.ErrorTarget);
@@ -310,9 +312,9 @@ void SceneBuilder::BuildSkipping(Scene& scene)
     this->ChangesStamp = gridStamp;
   }
   ChangeStamp stamp = gridStamp;
-  if (graded)
+  if (graded || !WhyNoHomogeneousCells(scene))
   {
-    ExtendStamp(stamp, GradesStampOf(scene));
+    ExtendStamp(stamp, StepLengthsStampOf(scene));
   }
   ExtendStamp(stamp, extreme ? 0 : scene.TransferFunction.ExtinctionStamp);
   ExtendStamp(stamp, mode);
