@@ -195,13 +195,12 @@ FUNC CellRun cellRunAt(SCENE_PARAM CellRay cells, vec3 place, vec4 result)
 }
 
 #if GRADED_STEPS
-// Shares what a run of cells leaves of a ray among the steps of a round: none is longer than the
-// cells allow or enters cells that allow less.
+// Shares what is left of a ray until it leaves its cells among the steps of a round: none is longer
+// than these allow.
 FUNC March graded(SCENE_PARAM Ray ray, Interval interval, March march, int longest, real until)
 {
-  real margin = CELL_MARGIN * ray.oneVoxel / scene.sampling.x;
   real begin = stepBeginOf(SCENE ray, interval, march.index);
-  real steps = floor((until - begin) / scene.sampling.x + margin);
+  real steps = floor((until - begin) / scene.sampling.x);
   march.rest = TO_INT(max(REAL(1.0), min(steps, REAL(8388608.0))));
   march.longest = longest;
   march.turns = longest > GRADED_LENGTHS ? 1 : 4 / SAMPLES_OF_STEP;
@@ -246,6 +245,14 @@ FUNC March jumped(SCENE_PARAM CellRay cells, Ray ray, Interval interval, March m
   next = along < last ? next : end;
 #if WITH_SAMPLE_COUNT
   march.skipped = march.skipped + next - march.index;
+#endif
+#if GRADED_STEPS
+  // The weight of a step's ends grows with its length, so none through homogeneous cells may touch
+  // others: it ends before their border, and behind a jump it would begin a margin before them.
+  bool homogeneous = longest > GRADED_LENGTHS;
+  real border = CELL_MARGIN * ray.oneVoxel;
+  until = until + (homogeneous && until < last ? -border : border);
+  longest = homogeneous && next > march.index ? 1 : longest;
 #endif
   march.index = next;
 #if GRADED_STEPS

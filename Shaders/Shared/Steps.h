@@ -25,9 +25,8 @@
 
 // Whether macrocells tell how long the steps in them may be, in whole numbers of the finest step of
 // the scene, which is then the unit of the indices.
-#if (WITH_ADAPTIVE_STEPS || WITH_HOMOGENEOUS_CELLS) && WITH_SKIPPING && !WITH_MAXIMUM_BLEND &&     \
-  !WITH_MINIMUM_BLEND
-#define GRADED_STEPS 1
+#if WITH_SKIPPING && !WITH_MAXIMUM_BLEND && !WITH_MINIMUM_BLEND
+#define GRADED_STEPS (WITH_ADAPTIVE_STEPS || WITH_HOMOGENEOUS_CELLS)
 #else
 #define GRADED_STEPS 0
 #endif

@@ -93,7 +93,7 @@ TEST_P(AdaptivePictures, TellWhyTheTargetIsNotKept)
   scene.Mapper->SetIntegrator(0);
   scene.Picture();
   EXPECT_EQ(scene.Mapper->GetFailure(), "");
-  const std::string why = VariesSteps(GetParam()) ? "only Midpoint and Segment can keep a target"
+  const std::string why = VariesSteps(GetParam()) ? "only for Midpoint and Segment"
                                                   : "all steps of this technique are alike";
   EXPECT_NE(scene.Mapper->GetLeftOutText().find("steps by the error target (" + why + ")"),
     std::string::npos)
