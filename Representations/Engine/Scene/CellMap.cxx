@@ -99,7 +99,7 @@ std::vector<std::uint16_t> CodesOf(
 
 // So many of the occupied cells are homogeneous that asking for each step how long it may be costs
 // less than the steps that are left out.
-constexpr double LeastHomogeneous = 0.25;
+constexpr double LeastHomogeneous = 0.5;
 
 // Gives homogeneous cells steps of any length, if they are many.
 void LengthenSteps(
