@@ -21,7 +21,7 @@ constexpr int LaneColumns = 4; // pixels in a row of the tile of a work item: LA
 constexpr glm::ivec2 CpuWorkGroup(16, 8);
 
 // Of what a processor casts at a time, at most.
-constexpr std::size_t BandBytes = std::size_t(1) << 21;
+constexpr std::size_t BandBytes = std::size_t(1) << 20;
 
 bool UsesBuffers(const Scene& scene, const OpenClDevice& device)
 {
