@@ -6,8 +6,13 @@ from typing import Any
 
 from .errors import BenchError
 from .json_file import check_schema, read_json
-from .results import Context, Record
-from .summary import million_samples_per_second, number, sampling_text
+from .results import OK, Context, Record
+from .summary import (
+    million_samples_per_second,
+    number,
+    sampling_text,
+    stage_split,
+)
 from .tables import Table
 from .techniques import TECHNIQUES
 
@@ -20,6 +25,8 @@ _CEILING_PATHS = {
     **dict.fromkeys(("paraview-volume", "vtk-gpu"), "gl-fragment"),
     "compute": "gl-compute",
 }
+_NATIVE_PATHS = ("cpu", "cpu-pairs")
+_ON_PROCESSOR = ("llvmpipe", "softpipe", "swrast")  # renderers of OpenGL
 
 
 def load_calibration(path: Path) -> dict[str, Any]:
@@ -39,6 +46,8 @@ def load_calibration(path: Path) -> dict[str, Any]:
     return {
         "date": context["date"],
         **{name: context[name] for name in _SAME_MACHINE},
+        "opencl_device": context["opencl_device"],
+        "opencl_device_type": document["opencl_device_type"],
         "samples_per_second": ceilings,
     }
 
@@ -72,33 +81,108 @@ def _difference(context: Context, calibration: dict[str, Any]) -> str | None:
 
 def ceiling_of(context: Context, record: Record) -> float | None:
     """Return the samples a second that the path of a row could fetch at most, if known."""
-    if context.calibration is None or record.technique not in _CEILING_PATHS:
+    if context.calibration is None:
         return None
-    formats = context.calibration["samples_per_second"]
+    path = _CEILING_PATHS.get(record.technique)
+    if record.technique == "opencl":
+        path = _opencl_path(context.calibration, record)
+    return _rate_of(context.calibration, path, record)
+
+
+def native_ceiling_of(context: Context, record: Record) -> float | None:
+    """Return what the processor fetches at most by its own instructions, of rows that it draws."""
+    calibration = context.calibration
+    if calibration is None or ceiling_of(context, record) is None:
+        return None
+    if record.technique == "opencl":
+        on_processor = calibration.get("opencl_device_type") == "cpu"
+    else:
+        on_processor = calibration["gl_renderer"].startswith(_ON_PROCESSOR)
+    if not on_processor:
+        return None
+    rates = [_rate_of(calibration, path, record) for path in _NATIVE_PATHS]
+    return max(filter(None, rates), default=None)
+
+
+def _rate_of(
+    calibration: dict[str, Any], path: str | None, record: Record
+) -> float | None:
     format_name = "R16" if record.scalar_type in _SMALL_TYPES else "R32F"
-    return formats.get(_CEILING_PATHS[record.technique], {}).get(format_name)
+    return calibration["samples_per_second"].get(path, {}).get(format_name)
+
+
+def _opencl_path(calibration: dict[str, Any], record: Record) -> str | None:
+    """Return how a row of technique opencl fetches; None on another device than the measured one."""
+    device = record.settings.get("opencl_device", "Auto")
+    if device not in ("Auto", calibration.get("opencl_device")):
+        return None
+    if "simd-rays" in (record.features or ()):
+        return "opencl-lanes"
+    # As technique opencl chooses.
+    has_images = "opencl-images" in calibration["samples_per_second"]
+    on_processor = calibration.get("opencl_device_type") == "cpu"
+    suits = "Buffers" if on_processor or not has_images else "Images"
+    storage = record.settings.get("opencl_storage", "Auto")
+    return f"opencl-{(suits if storage == 'Auto' else storage).lower()}"
 
 
 def ceiling_table(context: Context, records: list[Record]) -> Table | None:
-    """Return the samples a second of each row as a share of its ceiling."""
+    """Return the samples a second of each row as a share of its ceiling and of the processor's."""
     rows = []
     for record in records:
         ceiling = ceiling_of(context, record)
+        native = native_ceiling_of(context, record)
         rate = million_samples_per_second(record)
         if ceiling is None or rate is None:
             continue
         rows.append(
             (
-                record.run().scene.title(),
-                record.path,
-                TECHNIQUES[record.technique].title,
-                sampling_text(record),
+                *_row_titles(record),
                 number(rate, ".0f"),
                 number(ceiling / 1e6, ".0f"),
                 number(1e8 * rate / ceiling, ".1f", " %"),
+                number(native and native / 1e6, ".0f"),
+                number(native and 1e8 * rate / native, ".1f", " %"),
             )
         )
     header = ("scene", "path", "technique", "sampling")
-    header += ("Msamples/s", "ceiling", "share")
+    header += ("Msamples/s", "ceiling", "share", "native ceiling", "share of it")
     title = "Samples a second against what the device can fetch (a sample is one trilinear fetch)"
+    return Table(title, header, tuple(rows), 4) if rows else None
+
+
+def _row_titles(record: Record) -> tuple[str, ...]:
+    return (
+        record.run().scene.title(),
+        record.path,
+        TECHNIQUES[record.technique].title,
+        sampling_text(record),
+    )
+
+
+def profile_table(context: Context, records: list[Record]) -> Table | None:
+    """Return what of each row's frame its fetches would take at the ceilings, and what is left."""
+    rows = []
+    for record in records:
+        ceiling = ceiling_of(context, record)
+        native = native_ceiling_of(context, record)
+        frame_ms = record.frame_ms.median
+        samples = record.samples_taken
+        if record.status != OK or not (ceiling and frame_ms and samples):
+            continue
+        fetch_ms = 1000 * samples / ceiling
+        rows.append(
+            (
+                *_row_titles(record),
+                number(frame_ms, ".1f"),
+                stage_split(record),
+                number(1e6 * frame_ms / samples, ".2f"),
+                number(fetch_ms, ".1f"),
+                number(native and 1000 * samples / native, ".1f"),
+                number(frame_ms - fetch_ms, ".1f"),
+            )
+        )
+    header = ("scene", "path", "technique", "sampling", "ms", "stages")
+    header += ("ns a sample", "fetches, ms", "native, ms", "all else, ms")
+    title = "A frame against its fetches alone, at their ceiling and at the processor's"
     return Table(title, header, tuple(rows), 4) if rows else None

@@ -4,7 +4,7 @@ from dataclasses import asdict
 from html import escape
 from pathlib import Path
 
-from .calibration import ceiling_table
+from .calibration import ceiling_table, profile_table
 from .findings import Findings
 from .gallery import FOLDER as PICTURE_FOLDER
 from .gallery import Gallery, read_galleries
@@ -264,7 +264,8 @@ def _ceilings(context: Context, records: list[Record]) -> str:
     table = ceiling_table(context, records)
     if table is None:
         return ""
-    return f"<section><h2>Ceilings of the machine</h2>{html_table(table)}{HOW_CEILINGS_ARE_READ}</section>"
+    tables = html_table(table) + html_table(profile_table(context, records))
+    return f"<section><h2>Ceilings of the machine</h2>{tables}{HOW_CEILINGS_ARE_READ}</section>"
 
 
 def _notes(study: Study, records: list[Record]) -> str:

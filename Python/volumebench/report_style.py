@@ -152,7 +152,10 @@ kernels' compilation does not depend on the data.</small></p>
 
 HOW_CEILINGS_ARE_READ = """
 <p><small>The ceiling is the highest rate of trilinear fetches that volumebench-run --calibrate measured on this
-machine in the same kind of shader and texture format, over volumes of 16 to 256 voxels an edge, along
-an axis and obliquely. Samples a second are those of whole frames: a sample also looks up tables and, with
-lighting, fetches six neighbours, which are not counted.</small></p>
+machine in the same kind of shader or OpenCL kernel and the same format of voxels, over volumes of 16 to 256
+voxels an edge, along an axis, obliquely and as rays of a perspective camera. The native ceiling is that of
+the processor's own instructions on all its cores, by gathers or by loads of two neighbours, whichever is
+faster; it stands where the technique runs on the processor. Samples a second are those of whole frames: a
+sample also looks up tables and, with lighting, fetches six neighbours, which are not counted; what of a
+frame is neither is all else: tables, blending, skipping, making the rays and the view.</small></p>
 """

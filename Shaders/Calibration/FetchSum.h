@@ -10,19 +10,22 @@ uniform sampler1D tableTexture;
 uniform ivec3 counts;    // side of a tile of pixels, fetches of a pass, passes
 uniform vec3 origin;     // of the first pixel's line, in voxels
 uniform vec3 passShift;  // from one pass to the next
-uniform vec3 direction;  // from one fetch to the next
+uniform vec3 direction;  // from one fetch to the next, of the first pixel of a tile
+uniform vec3 directionX; // its change from one pixel to the next
+uniform vec3 directionY;
 uniform float entries;   // voxels on each axis, or entries of the table
 
 vec4 fetchSum(ivec2 pixel)
 {
-  vec3 start = vec3(pixel % counts.x, 0) + origin;
+  vec2 inTile = vec2(pixel % counts.x);
+  vec3 start = vec3(inTile, 0.0) + origin;
 #if FETCH_KIND == 1
   float scale = 1.0;
 #else
   float scale = 1.0 / entries;
   start += 0.5;
 #endif
-  vec3 stride = direction * scale;
+  vec3 stride = (direction + inTile.x * directionX + inTile.y * directionY) * scale;
   vec4 sum = vec4(0.0);
   for (int pass = 0; pass < counts.z; ++pass)
   {

@@ -12,6 +12,8 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "Python"))
 from volumebench.calibration import load_calibration  # noqa: E402
 
 PROGRAM = os.environ["VOLUMEBENCH_RUN"]
+PATHS = ("gl-fragment", "gl-compute", "cpu", "cpu-pairs")
+PATHS += ("opencl-lanes", "opencl-buffers", "opencl-images")  # of PoCL
 
 
 def run(*arguments: str, **variables: str) -> subprocess.CompletedProcess:
@@ -35,9 +37,9 @@ def check_rows(document: dict) -> None:
     assert len(rows) == len(document["fetches"]), "a row appears twice"
     sides = (16, 64)
     for side in sides:
-        for order in ("axis", "oblique"):
+        for order in ("axis", "oblique", "rays"):
             for format_name in ("R16", "R32F"):
-                for path in ("gl-fragment", "gl-compute", "cpu"):
+                for path in PATHS:
                     assert (path, "trilinear", format_name, order, side) in rows
         assert ("gl-compute", "texel", "R8", "oblique", side) in rows
     assert ("gl-fragment", "table", "RGBA32F", "axis", 1024) in rows
@@ -56,11 +58,23 @@ def check_calibration(folder: Path) -> None:
     done = run("--calibrate", "--quick", "--out", str(path))
     assert done.returncode == 0, done.stderr
     kept = load_calibration(path)  # also checks the schema
-    assert set(kept["samples_per_second"]) == {"gl-fragment", "gl-compute", "cpu"}
+    assert set(kept["samples_per_second"]) == set(PATHS)
+    assert kept["opencl_device"] and kept["opencl_device_type"] == "cpu", kept
     check_rows(json.loads(path.read_text()))
     assert "gl-fragment trilinear R16 axis" in done.stdout, done.stdout
     assert kept["gl_renderer"] in done.stdout
     assert [file.name for file in folder.iterdir()] == ["calibration.json"]
+
+
+def check_without_opencl(folder: Path) -> None:
+    """Check that a machine without OpenCL is calibrated without it."""
+    path = folder / "calibration.json"
+    nowhere = {"OCL_ICD_VENDORS": str(folder / "none")}
+    done = run("--calibrate", "--quick", "--out", str(path), **nowhere)
+    assert done.returncode == 0, done.stderr
+    kept = load_calibration(path)
+    assert not [name for name in kept["samples_per_second"] if "opencl" in name]
+    assert kept["opencl_device"] is None and kept["opencl_device_type"] is None
 
 
 def check_fault(cause: str, *arguments: str, **variables: str) -> None:
@@ -86,6 +100,7 @@ def main() -> None:
         check_fault("no EGL display", "--calibrate", "--out", out, **nowhere)
         assert not list(folder.iterdir()), "an error left a file"
         check_calibration(folder)
+        check_without_opencl(folder)
     print("calibrate: passed")
 
 

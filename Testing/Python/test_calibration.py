@@ -9,6 +9,8 @@ from volumebench.calibration import (
     ceiling_of,
     ceiling_table,
     load_calibration,
+    native_ceiling_of,
+    profile_table,
     with_calibration,
 )
 from volumebench.errors import BenchError
@@ -45,14 +47,23 @@ def calibration_document():
         "schema": 1,
         "kind": "calibration",
         "sample": "one trilinear fetch of one value",
-        "context": context | MACHINE | {"date": "2026-11-22"},
+        "context": context
+        | MACHINE
+        | {"date": "2026-11-22", "opencl_device": "a platform: a device"},
         "cpu_kernel": "AVX2",
+        "cpu_pair_kernel": "AVX2",
+        "opencl_device_type": "cpu",
         "fetches": [
             fetches("gl-fragment", "trilinear", "R16", 16, 4e9),
             fetches("gl-fragment", "trilinear", "R16", 256, 1e9),
             fetches("gl-fragment", "trilinear", "R32F", 16, 2e9),
             fetches("gl-fragment", "texel", "R8", 16, 9e9),
             fetches("gl-compute", "trilinear", "R16", 16, 5e9),
+            fetches("cpu", "trilinear", "R16", 16, 6e9),
+            fetches("cpu-pairs", "trilinear", "R16", 16, 8e9),
+            fetches("opencl-lanes", "trilinear", "R16", 16, 7e9),
+            fetches("opencl-buffers", "trilinear", "R16", 16, 1e9),
+            fetches("opencl-images", "trilinear", "R16", 16, 0.5e9),
         ],
         "copies": [{"path": "gl", "bytes": 8.0, "bytes_per_second": rate(1e9)}],
     }
@@ -70,10 +81,12 @@ def context(file):
     return with_calibration(Context(**MACHINE), load_calibration(file))
 
 
-def row_of(study, technique, scalar_type, samples, ms):
-    run = replace(study.runs()[0], technique=technique)
+def row_of(study, technique, scalar_type, samples, ms, settings=(), **values):
+    run = replace(study.runs()[0], technique=technique, settings=settings)
     measured = times(FrameLog([0], [ms], [None]))
-    return record_of(run, None, scalar_type, samples_taken=samples, **measured)
+    return record_of(
+        run, None, scalar_type, samples_taken=samples, **measured, **values
+    )
 
 
 def test_the_ceiling_is_the_highest_trilinear_rate(context):
@@ -81,6 +94,11 @@ def test_the_ceiling_is_the_highest_trilinear_rate(context):
     assert kept == {
         "gl-fragment": {"R16": 4e9, "R32F": 2e9},
         "gl-compute": {"R16": 5e9},
+        "cpu": {"R16": 6e9},
+        "cpu-pairs": {"R16": 8e9},
+        "opencl-lanes": {"R16": 7e9},
+        "opencl-buffers": {"R16": 1e9},
+        "opencl-images": {"R16": 0.5e9},
     }
 
 
@@ -98,13 +116,73 @@ def test_each_row_has_the_ceiling_of_its_path_and_format(context, study):
     assert ceiling_of(Context(), row_of(study, "compute", "uint8", 1, 1)) is None
 
 
+def test_opencl_has_the_ceiling_of_the_way_it_fetches(context, study):
+    def ceiling(features=(), **settings):
+        row = row_of(study, "opencl", "uint8", 1, 1, tuple(settings.items()))
+        return ceiling_of(context, replace(row, features=features))
+
+    assert ceiling(("midpoint", "simd-rays")) == 7e9
+    assert ceiling(opencl_storage="Images") == 0.5e9
+    assert ceiling(opencl_storage="Buffers") == 1e9
+    assert ceiling() == ceiling(opencl_storage="Auto") == 1e9
+    context.calibration["opencl_device_type"] = "gpu"
+    assert ceiling() == 0.5e9
+    del context.calibration["samples_per_second"]["opencl-images"]
+    assert ceiling() == 1e9
+    assert ceiling(opencl_device="a platform: a device") == 1e9
+    assert ceiling(opencl_device="another") is None
+
+
+def test_the_native_ceiling_is_for_what_the_processor_draws(context, study):
+    def native(technique):
+        return native_ceiling_of(context, row_of(study, technique, "uint8", 1, 1))
+
+    assert native("opencl") == 8e9
+    assert native("single-pass") is None  # a device draws it
+    context.calibration["gl_renderer"] = "llvmpipe (LLVM 15.0.6, 256 bits)"
+    context.calibration["opencl_device_type"] = "gpu"
+    assert native("single-pass") == native("compute") == 8e9
+    assert native("opencl") is None
+    assert native("vtk-fixed-point") is None
+
+
+def test_calibrations_of_before_there_were_others_have_their_ceilings(context, study):
+    rates = context.calibration["samples_per_second"]
+    for path in [name for name in rates if not name.startswith("gl-")]:
+        del rates[path]
+    del context.calibration["opencl_device"], context.calibration["opencl_device_type"]
+    single = row_of(study, "single-pass", "uint8", 2_000_000, 2)
+    assert ceiling_of(context, single) == 4e9
+    assert ceiling_of(context, row_of(study, "opencl", "uint8", 1, 1)) is None
+    assert ceiling_table(context, [single]).rows[0][4:] == (
+        *("1000", "4000", "25.0 %"),
+        *("-", "-"),
+    )
+
+
+def test_the_profile_tells_what_fetches_alone_would_take(context, study):
+    stages = {"dispatch": 1.5, "display": 0.5}
+    rows = [
+        row_of(study, "opencl", "uint8", 2_000_000, 4, stages_ms=stages),
+        row_of(study, "opencl", "uint8", None, 4),
+        row_of(study, "reference", "uint8", 2_000_000, 4),
+    ]
+    assert [row[4:] for row in profile_table(context, rows).rows] == [
+        ("4.0", "dispatch 1.50 ms (75 %), display 0.50 ms (25 %)")
+        + ("2.00", "2.0", "0.2", "2.0")
+    ]
+    assert profile_table(Context(), rows) is None
+
+
 def test_the_table_tells_the_share(context, study):
     records = [
         row_of(study, "single-pass", "uint8", 2_000_000, 2),
         row_of(study, "single-pass", "uint8", None, 2),
     ]
     table = ceiling_table(context, records)
-    assert [row[4:] for row in table.rows] == [("1000", "4000", "25.0 %")]
+    assert [row[4:] for row in table.rows] == [("1000", "4000", "25.0 %", "-", "-")]
+    table = ceiling_table(context, [row_of(study, "opencl", "uint8", 2_000_000, 4)])
+    assert table.rows[0][4:] == ("500", "1000", "50.0 %", "8000", "6.2 %")
     assert ceiling_table(Context(), records) is None
 
 

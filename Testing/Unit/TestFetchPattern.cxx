@@ -1,5 +1,6 @@
 // Calibration fetches stay in the volume, and their sums tell how many there were.
 #include "Calibration/CpuFetch.h"
+#include "Calibration/CpuPairs.h"
 #include "Calibration/FetchPattern.h"
 
 #include <gtest/gtest.h>
@@ -38,13 +39,19 @@ TEST_P(FetchPatterns, StayInside)
   ASSERT_GT(pattern.Side, 0);
   ASSERT_GE(pattern.FetchesPerPixel(), 200);
   ASSERT_LE(pattern.FetchesPerPixel(), 256);
-  const glm::dvec3 last = glm::dvec3(pattern.Side - 1, pattern.Side - 1, 0.0) + pattern.Origin +
-    static_cast<double>(pattern.Passes - 1) * pattern.PassShift +
-    static_cast<double>(pattern.Length - 1) * pattern.Direction;
   const bool table = pattern.Kind == FetchKind::Table;
-  EXPECT_LT(table ? last.x + last.z : last.x, pattern.Entries - 1);
-  EXPECT_LT(table ? 0.0 : last.y, pattern.Entries - 1);
-  EXPECT_LT(last.z, pattern.Entries - 1);
+  for (const int x : { 0, pattern.Side - 1 })
+  {
+    for (const int y : { 0, pattern.Side - 1 })
+    {
+      const glm::dvec3 last = glm::dvec3(x, y, 0.0) + pattern.Origin +
+        static_cast<double>(pattern.Passes - 1) * pattern.PassShift +
+        static_cast<double>(pattern.Length - 1) * pattern.DirectionAt({ x, y });
+      EXPECT_LT(table ? last.x + last.z : last.x, pattern.Entries - 1);
+      EXPECT_LT(table ? 0.0 : last.y, pattern.Entries - 1);
+      EXPECT_LT(last.z, pattern.Entries - 1);
+    }
+  }
 }
 
 TEST_P(FetchPatterns, OneFetchTooFewOrTooManyIsFound)
@@ -69,36 +76,59 @@ TEST_P(FetchPatterns, OneFetchTooFewOrTooManyIsFound)
 
 INSTANTIATE_TEST_SUITE_P(Every, FetchPatterns,
   testing::Combine(testing::Values(FetchKind::Trilinear, FetchKind::Texel, FetchKind::Table),
-    testing::Values(FetchOrder::Axis, FetchOrder::Oblique), testing::Values(16, 64, 256)));
+    testing::Values(FetchOrder::Axis, FetchOrder::Oblique, FetchOrder::Rays),
+    testing::Values(16, 64, 256)));
 
 namespace
 {
-template <typename Texel>
-void ExpectTrueSums(CpuKernel kernel)
+// `sumRow(pattern, texels, row, width, sums)` sums the fetches of a row.
+template <typename Texel, typename SumRow>
+void ExpectTrueSums(const SumRow& sumRow)
 {
   constexpr int width = 64;
-  for (const FetchOrder order : { FetchOrder::Axis, FetchOrder::Oblique })
+  for (const FetchOrder order : { FetchOrder::Axis, FetchOrder::Oblique, FetchOrder::Rays })
   {
     const FetchPattern pattern = MakeFetchPattern(FetchKind::Trilinear, order, 32);
     const std::vector<Texel> texels = CalibrationVolume<Texel>(32);
     std::vector<float> sums(width);
     for (const int row : { 0, 9, 40 })
     {
-      SumRow(kernel, pattern, texels.data(), row, width, sums.data());
+      sumRow(pattern, texels.data(), row, width, sums.data());
       for (int column = 0; column < width; ++column)
       {
         const double expected = ExpectedSum(pattern, { column, row }, TexelScale<Texel>::Scale);
-        EXPECT_NEAR(sums[column], expected, 3e-3) << "row " << row << ", column " << column;
+        EXPECT_NEAR(sums[column], expected, 3e-3)
+          << FetchOrderName(order) << ", row " << row << ", column " << column;
       }
     }
   }
+}
+
+void ExpectTrueSumsOf(CpuKernel kernel)
+{
+  const auto sumRow = [kernel](const FetchPattern& pattern, const auto* texels, int row, int width,
+                        float* sums) { SumRow(kernel, pattern, texels, row, width, sums); };
+  ExpectTrueSums<std::uint16_t>(sumRow);
+  ExpectTrueSums<float>(sumRow);
+}
+
+void ExpectTrueSumsOf(PairKernel kernel)
+{
+  const auto sumRow = [kernel](const FetchPattern& pattern, const auto* texels, int row, int width,
+                        float* sums) { SumRowByPairs(kernel, pattern, texels, row, width, sums); };
+  ExpectTrueSums<std::uint16_t>(sumRow);
+  ExpectTrueSums<float>(sumRow);
 }
 }
 
 TEST(CpuFetch, ScalarSumsAreTrue)
 {
-  ExpectTrueSums<std::uint16_t>(CpuKernel::Scalar);
-  ExpectTrueSums<float>(CpuKernel::Scalar);
+  ExpectTrueSumsOf(CpuKernel::Scalar);
+}
+
+TEST(CpuFetch, PortablePairsSumsAreTrue)
+{
+  ExpectTrueSumsOf(PairKernel::Portable);
 }
 
 TEST(CpuFetch, Avx2SumsAreTrue)
@@ -107,6 +137,6 @@ TEST(CpuFetch, Avx2SumsAreTrue)
   {
     GTEST_SKIP() << "this processor has no AVX2";
   }
-  ExpectTrueSums<std::uint16_t>(CpuKernel::Avx2);
-  ExpectTrueSums<float>(CpuKernel::Avx2);
+  ExpectTrueSumsOf(CpuKernel::Avx2);
+  ExpectTrueSumsOf(PairKernel::Avx2);
 }

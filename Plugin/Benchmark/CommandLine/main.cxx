@@ -36,7 +36,7 @@ int RunCalibration(const Options& options)
   std::cout << names.Renderer << ", OpenGL " << names.Version << std::endl;
   const Calibration calibration = Calibrate(MakeCalibrationSettings(options.Quick),
     [](const std::string& what) { std::cerr << "measuring " << what << std::endl; });
-  const auto document = CalibrationDocument(calibration, MachineContext(names, false));
+  const auto document = CalibrationDocument(calibration, MachineContext(names, true));
   WriteTextFile(path, document.dump(1) + "\n");
   std::cout << CalibrationTable(calibration) << "Written to " << path << std::endl;
   return 0;

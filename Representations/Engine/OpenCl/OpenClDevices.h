@@ -20,6 +20,8 @@ struct OpenClDevice
   bool HasImages = false; // and samplers that filter
   int VectorFloats = 1;   // floats that its vectors hold
 
+  /// Rays that suit the vectors of a CPU side by side.
+  int Lanes() const { return this->VectorFloats >= 16 ? 16 : 8; }
   bool IsCpu() const { return (this->Type & CL_DEVICE_TYPE_CPU) != 0; }
 };
 

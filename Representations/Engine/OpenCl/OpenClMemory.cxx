@@ -54,6 +54,20 @@ void OpenClMemory::Write(const void* data, std::size_t bytes, std::size_t offset
     "clEnqueueWriteBuffer");
 }
 
+void OpenClMemory::Read(std::size_t bytes, const std::function<void(const void*)>& use)
+{
+  // No copy on a device that shares the memory of the host.
+  const OpenClApi& cl = OpenCl();
+  cl_int status = CL_SUCCESS;
+  cl_command_queue queue = this->Session->GetQueue();
+  void* data = cl.EnqueueMapBuffer(
+    queue, this->Handle, CL_TRUE, CL_MAP_READ, 0, bytes, 0, nullptr, nullptr, &status);
+  CheckOpenCl(status, "clEnqueueMapBuffer");
+  use(data);
+  CheckOpenCl(cl.EnqueueUnmapMemObject(queue, this->Handle, data, 0, nullptr, nullptr),
+    "clEnqueueUnmapMemObject");
+}
+
 void OpenClMemory::FillWithZero(std::size_t offset, std::size_t bytes)
 {
   const cl_uchar zero = 0;

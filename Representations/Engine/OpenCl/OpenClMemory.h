@@ -7,6 +7,7 @@
 #include <glm/vec3.hpp>
 
 #include <cstddef>
+#include <functional>
 
 namespace volumebench
 {
@@ -24,6 +25,9 @@ public:
 
   /// Sends bytes to an offset of the buffer and waits until they are there.
   void Write(const void* data, std::size_t bytes, std::size_t offset = 0);
+  /// Shows the first bytes of the buffer to `use`, when all that was asked of the device is done.
+  void Read(std::size_t bytes, const std::function<void(const void*)>& use);
+
   void FillWithZero(std::size_t offset, std::size_t bytes);
 
   /// A new image without texels; depth 0 for one of two dimensions.

@@ -46,7 +46,7 @@ int LanesFor(const Scene& scene, const OpenClDevice& device)
     return 1;
   }
   const int chosen = scene.Sampling.OpenCl.Lanes;
-  return chosen > 0 ? chosen : (device.VectorFloats >= 16 ? 16 : 8);
+  return chosen > 0 ? chosen : device.Lanes();
 }
 
 double MillisecondsOf(cl_event event)
@@ -227,20 +227,14 @@ std::vector<PicturePart> OpenClRayCast::BandsOf(const PicturePart& part, int gro
 void OpenClRayCast::Transfer(const PicturePart& part)
 {
   const Stopwatch watch;
-  const OpenClApi& cl = OpenCl();
   const glm::ivec2 size = part.End - part.First;
   const std::size_t bytes = sizeof(glm::vec4) * static_cast<std::size_t>(size.x) * size.y;
-  // No copy on a device that shares the memory of the host.
-  cl_int status = CL_SUCCESS;
-  cl_command_queue queue = this->Session->GetQueue();
-  void* texels = cl.EnqueueMapBuffer(
-    queue, this->Result.GetHandle(), CL_TRUE, CL_MAP_READ, 0, bytes, 0, nullptr, nullptr, &status);
-  CheckOpenCl(status, "clEnqueueMapBuffer");
-  glTexSubImage2D(
-    GL_TEXTURE_2D, 0, part.First.x, part.First.y, size.x, size.y, GL_RGBA, GL_FLOAT, texels);
-  CheckOpenCl(
-    cl.EnqueueUnmapMemObject(queue, this->Result.GetHandle(), texels, 0, nullptr, nullptr),
-    "clEnqueueUnmapMemObject");
+  this->Result.Read(bytes,
+    [&](const void* texels)
+    {
+      glTexSubImage2D(
+        GL_TEXTURE_2D, 0, part.First.x, part.First.y, size.x, size.y, GL_RGBA, GL_FLOAT, texels);
+    });
   this->GetFrameStages().Add("transfer", watch.ElapsedMs());
 }
 

@@ -2,6 +2,7 @@
 
 #include "CpuCalibration.h"
 #include "GlCalibration.h"
+#include "OpenClCalibration.h"
 #include "OpenGlWindow.h"
 
 #include "vtkOpenGLRenderWindow.h"
@@ -28,6 +29,7 @@ Calibration Calibrate(const CalibrationSettings& settings, const CalibrationProg
   const vtkSmartPointer<vtkOpenGLRenderWindow> window = MakeOpenGlWindow();
   CalibrateGl(window, settings, progress, result);
   CalibrateCpu(settings, progress, result);
+  CalibrateOpenCl(settings, progress, result);
   return result;
 }
 }

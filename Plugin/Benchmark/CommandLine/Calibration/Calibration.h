@@ -15,11 +15,12 @@ namespace volumebench
 /// One row: fetches a second.
 struct FetchRate
 {
-  std::string Path;      // "gl-fragment", "gl-compute" or "cpu"
-  std::string Kind;      // "trilinear", "texel" or "table"
-  std::string Format;    // "R8", "R16", "R32F" or "RGBA32F", as OpenGL calls them
-  std::string Order;     // "axis" or "oblique"
-  int Entries = 0;       // voxels on each axis, or entries of the table
+  std::string Path;   // "gl-fragment", "gl-compute", "cpu", "cpu-pairs" or "opencl-...": "lanes",
+                      // "buffers", "images"
+  std::string Kind;   // "trilinear", "texel" or "table"
+  std::string Format; // "R8", "R16", "R32F" or "RGBA32F", as OpenGL calls them
+  std::string Order;  // "axis", "oblique" or "rays"
+  int Entries = 0;    // voxels on each axis, or entries of the table
   double FetchCount = 0; // of one repeat
   Summary PerSecond;     // over the repeats
 };
@@ -45,7 +46,9 @@ CalibrationSettings MakeCalibrationSettings(bool quick);
 
 struct Calibration
 {
-  std::string CpuKernel; // "AVX2" or "scalar"
+  std::string CpuKernel;        // of the path cpu: "AVX2" or "scalar"
+  std::string CpuPairKernel;    // of cpu-pairs: "AVX2" or "portable"
+  std::string OpenClDeviceType; // "cpu", "gpu" or "other"; empty without OpenCL
   std::vector<FetchRate> Fetches;
   std::vector<CopyRate> Copies;
 };

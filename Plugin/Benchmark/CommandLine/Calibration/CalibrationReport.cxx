@@ -39,8 +39,10 @@ Json CalibrationDocument(const Calibration& calibration, const Json& context)
 {
   Json document = { { "schema", 1 }, { "kind", "calibration" },
     { "sample", "one trilinear fetch of one value" }, { "context", context },
-    { "cpu_kernel", calibration.CpuKernel }, { "fetches", Json::array() },
-    { "copies", Json::array() } };
+    { "cpu_kernel", calibration.CpuKernel }, { "cpu_pair_kernel", calibration.CpuPairKernel },
+    { "opencl_device_type",
+      calibration.OpenClDeviceType.empty() ? Json() : Json(calibration.OpenClDeviceType) },
+    { "fetches", Json::array() }, { "copies", Json::array() } };
   for (const FetchRate& rate : calibration.Fetches)
   {
     document["fetches"].push_back(RowOf(rate));

@@ -2,6 +2,7 @@
 
 #include "AllCores.h"
 #include "CpuFetch.h"
+#include "CpuPairs.h"
 #include "Repeats.h"
 
 #include <chrono>
@@ -27,9 +28,10 @@ double WallMs(int times, const Work& work)
   return std::chrono::duration<double, std::milli>(end - begin).count();
 }
 
-template <typename Texel>
-FetchRate MeasureFetches(const CalibrationSettings& settings, CpuKernel kernel, FetchOrder order,
-  const std::vector<Texel>& texels, int side)
+// `sumRow(pattern, texels, row, sums)` sums the fetches of a row of the picture.
+template <typename Texel, typename SumRow>
+FetchRate MeasureFetches(const CalibrationSettings& settings, FetchOrder order,
+  const std::vector<Texel>& texels, int side, const SumRow& sumRow)
 {
   const FetchPattern pattern = MakeFetchPattern(FetchKind::Trilinear, order, side);
   std::vector<float> sums(static_cast<std::size_t>(PictureSize.x) * PictureSize.y);
@@ -37,8 +39,7 @@ FetchRate MeasureFetches(const CalibrationSettings& settings, CpuKernel kernel, 
   {
     for (vtkIdType row = begin; row < end; ++row)
     {
-      SumRow(kernel, pattern, texels.data(), static_cast<int>(row), PictureSize.x,
-        sums.data() + row * PictureSize.x);
+      sumRow(pattern, texels.data(), static_cast<int>(row), sums.data() + row * PictureSize.x);
     }
   };
   const auto picture = [&] { ForOnAllCores(0, PictureSize.y, RowsPerTask, rows); };
@@ -46,9 +47,8 @@ FetchRate MeasureFetches(const CalibrationSettings& settings, CpuKernel kernel, 
     MeasureRepeats(settings, [&](int times) { return WallMs(times, picture); });
   CheckSums(pattern, PictureSize, sums, 1, TexelScale<Texel>::Scale, "the processor");
   FetchRate rate;
-  rate.Path = "cpu";
   rate.Kind = "trilinear";
-  rate.Order = order == FetchOrder::Axis ? "axis" : "oblique";
+  rate.Order = FetchOrderName(order);
   rate.Entries = side;
   const auto amount =
     static_cast<double>(pattern.FetchesPerPixel() * PictureSize.x * PictureSize.y);
@@ -58,17 +58,27 @@ FetchRate MeasureFetches(const CalibrationSettings& settings, CpuKernel kernel, 
 }
 
 template <typename Texel>
-void MeasureFormat(const CalibrationSettings& settings, CpuKernel kernel, const char* format,
+void MeasureFormat(const CalibrationSettings& settings, const char* format,
   const CalibrationProgress& progress, Calibration& result)
 {
+  const auto byGathers = [](const FetchPattern& pattern, const Texel* texels, int row, float* sums)
+  { SumRow(BestCpuKernel(), pattern, texels, row, PictureSize.x, sums); };
+  const auto byPairs = [](const FetchPattern& pattern, const Texel* texels, int row, float* sums)
+  { SumRowByPairs(BestPairKernel(), pattern, texels, row, PictureSize.x, sums); };
+  const auto keep = [&](const char* path, FetchRate rate)
+  {
+    rate.Path = path;
+    rate.Format = format;
+    result.Fetches.push_back(rate);
+  };
   for (const int side : settings.Sides)
   {
     progress("cpu " + std::string(format) + " " + std::to_string(side));
     const std::vector<Texel> texels = CalibrationVolume<Texel>(side);
-    for (const FetchOrder order : { FetchOrder::Axis, FetchOrder::Oblique })
+    for (const FetchOrder order : { FetchOrder::Axis, FetchOrder::Oblique, FetchOrder::Rays })
     {
-      result.Fetches.push_back(MeasureFetches(settings, kernel, order, texels, side));
-      result.Fetches.back().Format = format;
+      keep("cpu", MeasureFetches(settings, order, texels, side, byGathers));
+      keep("cpu-pairs", MeasureFetches(settings, order, texels, side, byPairs));
     }
   }
 }
@@ -99,10 +109,10 @@ CopyRate MeasureCopy(const CalibrationSettings& settings)
 void CalibrateCpu(
   const CalibrationSettings& settings, const CalibrationProgress& progress, Calibration& result)
 {
-  const CpuKernel kernel = BestCpuKernel();
-  result.CpuKernel = kernel == CpuKernel::Avx2 ? "AVX2" : "scalar";
-  MeasureFormat<std::uint16_t>(settings, kernel, "R16", progress, result);
-  MeasureFormat<float>(settings, kernel, "R32F", progress, result);
+  result.CpuKernel = CpuKernelName(BestCpuKernel());
+  result.CpuPairKernel = PairKernelName(BestPairKernel());
+  MeasureFormat<std::uint16_t>(settings, "R16", progress, result);
+  MeasureFormat<float>(settings, "R32F", progress, result);
   progress("cpu copy");
   result.Copies.push_back(MeasureCopy(settings));
 }

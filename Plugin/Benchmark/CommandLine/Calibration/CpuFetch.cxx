@@ -34,11 +34,11 @@ float FetchOne(const Texel* texels, int side, float x, float y, float z)
 template <typename Texel>
 void SumRowScalar(const FetchPattern& pattern, const Texel* texels, int row, int width, float* sums)
 {
-  const glm::vec3 direction(pattern.Direction);
   for (int column = 0; column < width; ++column)
   {
     const glm::vec3 start =
       glm::vec3(column % pattern.Side, row % pattern.Side, 0.0F) + glm::vec3(pattern.Origin);
+    const glm::vec3 direction(pattern.DirectionAt({ column % pattern.Side, row % pattern.Side }));
     float sum = 0.0F;
     for (int pass = 0; pass < pattern.Passes; ++pass)
     {
@@ -94,33 +94,54 @@ AVX2 inline __m256 FetchEight(const Texel* texels, int side, __m256 x, __m256 y,
   return MixEight(front, back, wz);
 }
 
+// Where eight lines begin and how they go on.
+struct EightLines
+{
+  alignas(32) float X[8];
+  alignas(32) float DirectionX[8];
+  alignas(32) float DirectionY[8];
+  alignas(32) float DirectionZ[8];
+};
+
+EightLines LinesOf(const FetchPattern& pattern, int row, int column)
+{
+  EightLines lines;
+  for (int k = 0; k < 8; ++k)
+  {
+    const int x = (column + k) % pattern.Side;
+    const glm::vec3 direction(pattern.DirectionAt({ x, row % pattern.Side }));
+    lines.X[k] = static_cast<float>(x);
+    lines.DirectionX[k] = direction.x;
+    lines.DirectionY[k] = direction.y;
+    lines.DirectionZ[k] = direction.z;
+  }
+  return lines;
+}
+
 template <typename Texel>
 AVX2 void SumEight(
   const FetchPattern& pattern, const Texel* texels, int row, int column, float* sums)
 {
-  alignas(32) float columns[8];
-  for (int k = 0; k < 8; ++k)
-  {
-    columns[k] = static_cast<float>((column + k) % pattern.Side);
-  }
+  const EightLines lines = LinesOf(pattern, row, column);
+  const __m256 directionX = _mm256_load_ps(lines.DirectionX);
+  const __m256 directionY = _mm256_load_ps(lines.DirectionY);
+  const __m256 directionZ = _mm256_load_ps(lines.DirectionZ);
   const glm::vec3 origin(pattern.Origin);
-  const glm::vec3 direction(pattern.Direction);
   const glm::vec3 passShift(pattern.PassShift);
   const auto rowStart = static_cast<float>(row % pattern.Side);
   __m256 sum = _mm256_setzero_ps();
   for (int pass = 0; pass < pattern.Passes; ++pass)
   {
     const glm::vec3 first = origin + static_cast<float>(pass) * passShift;
-    const __m256 x = _mm256_add_ps(_mm256_load_ps(columns), _mm256_set1_ps(first.x));
+    const __m256 x = _mm256_add_ps(_mm256_load_ps(lines.X), _mm256_set1_ps(first.x));
     const __m256 y = _mm256_set1_ps(rowStart + first.y);
     const __m256 z = _mm256_set1_ps(first.z);
     for (int i = 0; i < pattern.Length; ++i)
     {
       const __m256 t = _mm256_set1_ps(static_cast<float>(i));
       sum = _mm256_add_ps(sum,
-        FetchEight(texels, pattern.Entries, _mm256_fmadd_ps(t, _mm256_set1_ps(direction.x), x),
-          _mm256_fmadd_ps(t, _mm256_set1_ps(direction.y), y),
-          _mm256_fmadd_ps(t, _mm256_set1_ps(direction.z), z)));
+        FetchEight(texels, pattern.Entries, _mm256_fmadd_ps(t, directionX, x),
+          _mm256_fmadd_ps(t, directionY, y), _mm256_fmadd_ps(t, directionZ, z)));
     }
   }
   const auto scale = static_cast<float>(1.0 / TexelScale<Texel>::Scale);
@@ -138,6 +159,11 @@ CpuKernel BestCpuKernel()
   }
 #endif
   return CpuKernel::Scalar;
+}
+
+const char* CpuKernelName(CpuKernel kernel)
+{
+  return kernel == CpuKernel::Avx2 ? "AVX2" : "scalar";
 }
 
 template <typename Texel>

@@ -15,6 +15,7 @@ enum class CpuKernel
 
 /// The faster one that this processor can run.
 CpuKernel BestCpuKernel();
+const char* CpuKernelName(CpuKernel kernel);
 
 /// Sums the fetches of one row of pixels. `width` is a multiple of 8; `texels` are those of
 /// CalibrationVolume. Texel is std::uint16_t or float; sums are of values in [0, 1].

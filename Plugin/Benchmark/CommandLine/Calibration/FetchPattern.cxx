@@ -15,6 +15,7 @@ constexpr double ValueRange = 0.6;
 constexpr int PixelsChecked = 997; // a prime, so that they fall on all places of a tile
 constexpr int TableSide = 512;
 constexpr double TableStride = 1.7;
+constexpr double RaySpread = 0.35; // how directions differ across a tile
 
 double Stored(double value, double scale)
 {
@@ -38,6 +39,11 @@ double ValueAt(const FetchPattern& pattern, const glm::dvec3& point, double scal
 }
 }
 
+const char* FetchOrderName(FetchOrder order)
+{
+  return order == FetchOrder::Axis ? "axis" : (order == FetchOrder::Oblique ? "oblique" : "rays");
+}
+
 FetchPattern MakeFetchPattern(FetchKind kind, FetchOrder order, int entries)
 {
   FetchPattern pattern;
@@ -54,8 +60,18 @@ FetchPattern MakeFetchPattern(FetchKind kind, FetchOrder order, int entries)
     pattern.Side = (entries - 1) / 2;
     pattern.Length = static_cast<int>((entries - 2) / pattern.Direction.z);
   }
+  else if (order == FetchOrder::Rays)
+  {
+    // From one half of the first slice on, towards the other.
+    pattern.Direction = { 0.1, 0.45, 0.9 };
+    pattern.Side = (entries - 1) / 2;
+    pattern.DirectionX = glm::dvec3(RaySpread, 0.0, 0.0) / static_cast<double>(pattern.Side);
+    pattern.DirectionY = glm::dvec3(0.0, -RaySpread, 0.0) / static_cast<double>(pattern.Side);
+    pattern.Length = static_cast<int>((entries - 2) / pattern.Direction.z);
+  }
   if (kind == FetchKind::Table)
   {
+    pattern.DirectionX = pattern.DirectionY = glm::dvec3(0.0);
     pattern.Direction = { 0.0, 0.0, TableStride };
     pattern.Side = std::min(entries / 2, TableSide);
     pattern.Length = FetchesWanted;
@@ -99,13 +115,15 @@ double ExpectedSum(const FetchPattern& pattern, glm::ivec2 pixel, double scale)
 {
   const glm::dvec3 start =
     glm::dvec3(pixel.x % pattern.Side, pixel.y % pattern.Side, 0.0) + pattern.Origin;
+  const glm::dvec3 direction =
+    pattern.DirectionAt({ pixel.x % pattern.Side, pixel.y % pattern.Side });
   double sum = 0.0;
   for (int pass = 0; pass < pattern.Passes; ++pass)
   {
     for (int i = 0; i < pattern.Length; ++i)
     {
-      const glm::dvec3 point = start + static_cast<double>(pass) * pattern.PassShift +
-        static_cast<double>(i) * pattern.Direction;
+      const glm::dvec3 point =
+        start + static_cast<double>(pass) * pattern.PassShift + static_cast<double>(i) * direction;
       sum += ValueAt(pattern, point, scale);
     }
   }

@@ -2,7 +2,7 @@
 //
 // The volume is a cube whose values grow linearly along all axes, so that a trilinear fetch has a
 // known value anywhere. Pixel (x, y) of a picture sums the fetches at
-//   (x mod Side, y mod Side, 0) + Origin + p PassShift + i Direction
+//   (x mod Side, y mod Side, 0) + Origin + p PassShift + i DirectionAt(x mod Side, y mod Side)
 // in voxels, for each pass p and each i below Length. No point leaves the cube.
 #ifndef volumebench_FetchPattern_h
 #define volumebench_FetchPattern_h
@@ -24,9 +24,13 @@ enum class FetchKind
 
 enum class FetchOrder
 {
-  Axis,   // along z: the friendliest to caches
-  Oblique // along (1, 1, 2), at length 1
+  Axis,    // along z: the friendliest to caches
+  Oblique, // along (1, 1, 2), at length 1
+  Rays     // of a caster in perspective: each pixel in a direction of its own, at about length 1
 };
+
+/// As calibrations call it.
+const char* FetchOrderName(FetchOrder order);
 
 struct FetchPattern
 {
@@ -37,7 +41,14 @@ struct FetchPattern
   int Passes = 0;
   glm::dvec3 Origin{ 0.0 };
   glm::dvec3 PassShift{ 0.0 };
-  glm::dvec3 Direction{ 0.0 };
+  glm::dvec3 Direction{ 0.0 };  // of the first pixel of a tile
+  glm::dvec3 DirectionX{ 0.0 }; // its change from one pixel to the next
+  glm::dvec3 DirectionY{ 0.0 };
+
+  glm::dvec3 DirectionAt(glm::dvec2 inTile) const
+  {
+    return this->Direction + inTile.x * this->DirectionX + inTile.y * this->DirectionY;
+  }
 
   /// Fetches of one pixel.
   long long FetchesPerPixel() const { return static_cast<long long>(this->Length) * this->Passes; }

@@ -13,8 +13,6 @@ namespace volumebench
 {
 namespace
 {
-constexpr int SmallestPicture = 64;  // pixels on each axis
-constexpr int LargestPicture = 2048; // enough threads for any device of today
 constexpr int TableEntries = 1024;
 
 struct GlFormatName
@@ -94,14 +92,9 @@ public:
   FetchRate Measure(const CalibrationSettings& settings, const FetchPattern& pattern,
     GlTexture& texture, double scale)
   {
-    int side = SmallestPicture;
-    this->Fetch.Prepare(pattern, texture, side);
-    this->Fetch.TimeMs(1);
-    while (side < LargestPicture && this->Fetch.TimeMs(1) < settings.RepeatMs)
-    {
-      side *= 2;
-      this->Fetch.Prepare(pattern, texture, side);
-    }
+    const int side = GrowPicture(
+      settings, [&](int pixels) { this->Fetch.Prepare(pattern, texture, pixels); },
+      [&] { return this->Fetch.TimeMs(1); });
     const RepeatedWork work =
       MeasureRepeats(settings, [&](int times) { return this->Fetch.TimeMs(times); });
     CheckSums(pattern, glm::ivec2(side), this->Fetch.ReadSums(), 4, scale, this->Path);
@@ -124,7 +117,6 @@ struct Job
   FetchKind Kind;
   const char* KindName;
   FetchOrder Order;
-  const char* OrderName;
 };
 
 class GlLaboratory
@@ -173,8 +165,7 @@ public:
     this->Progress("gl table");
     this->Texture.Release();
     UploadTable(this->Texture);
-    this->MeasureJob(
-      { FetchKind::Table, "table", FetchOrder::Axis, "axis" }, TableEntries, "RGBA32F", 1.0);
+    this->MeasureJob({ FetchKind::Table, "table", FetchOrder::Axis }, TableEntries, "RGBA32F", 1.0);
   }
 
 private:
@@ -185,7 +176,7 @@ private:
     {
       FetchRate rate = stage->Measure(this->Settings, pattern, this->Texture, scale);
       rate.Kind = job.KindName;
-      rate.Order = job.OrderName;
+      rate.Order = FetchOrderName(job.Order);
       rate.Format = format;
       this->Result.Fetches.push_back(rate);
     }
@@ -239,14 +230,14 @@ void CalibrateGl(vtkOpenGLRenderWindow* window, const CalibrationSettings& setti
   const CalibrationProgress& progress, Calibration& result)
 {
   const std::vector<Job> samples = {
-    { FetchKind::Trilinear, "trilinear", FetchOrder::Axis, "axis" },
-    { FetchKind::Trilinear, "trilinear", FetchOrder::Oblique, "oblique" },
+    { FetchKind::Trilinear, "trilinear", FetchOrder::Axis },
+    { FetchKind::Trilinear, "trilinear", FetchOrder::Oblique },
+    { FetchKind::Trilinear, "trilinear", FetchOrder::Rays },
   };
   GlLaboratory laboratory(window, settings, progress, result);
   laboratory.MeasureVolumes<std::uint16_t>(samples);
   laboratory.MeasureVolumes<float>(samples);
-  laboratory.MeasureVolumes<std::uint8_t>(
-    { { FetchKind::Texel, "texel", FetchOrder::Oblique, "oblique" } });
+  laboratory.MeasureVolumes<std::uint8_t>({ { FetchKind::Texel, "texel", FetchOrder::Oblique } });
   laboratory.MeasureTable();
   progress("gl copy");
   result.Copies.push_back(MeasureCopy(settings));

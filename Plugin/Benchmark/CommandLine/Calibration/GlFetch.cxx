@@ -54,10 +54,14 @@ void GlFetch::SetNumbers(const FetchPattern& pattern) const
   const glm::vec3 origin(pattern.Origin);
   const glm::vec3 shift(pattern.PassShift);
   const glm::vec3 direction(pattern.Direction);
+  const glm::vec3 directionX(pattern.DirectionX);
+  const glm::vec3 directionY(pattern.DirectionY);
   glUniform3i(Location(*this->Program, "counts"), pattern.Side, pattern.Length, pattern.Passes);
   glUniform3fv(Location(*this->Program, "origin"), 1, glm::value_ptr(origin));
   glUniform3fv(Location(*this->Program, "passShift"), 1, glm::value_ptr(shift));
   glUniform3fv(Location(*this->Program, "direction"), 1, glm::value_ptr(direction));
+  glUniform3fv(Location(*this->Program, "directionX"), 1, glm::value_ptr(directionX));
+  glUniform3fv(Location(*this->Program, "directionY"), 1, glm::value_ptr(directionY));
   glUniform1f(Location(*this->Program, "entries"), static_cast<float>(pattern.Entries));
 }
 

@@ -34,6 +34,24 @@ RepeatedWork MeasureRepeats(const CalibrationSettings& settings, TimeMs timeMs)
   return work;
 }
 
+/// How many pixels on each axis a picture needs that takes the device a repeat's time, if there are
+/// as many. `prepare(side)` sets a picture up, `timeMs()` draws it.
+template <typename Prepare, typename TimeMs>
+int GrowPicture(const CalibrationSettings& settings, Prepare prepare, TimeMs timeMs)
+{
+  constexpr int smallest = 64;
+  constexpr int largest = 2048; // enough threads for any device of today
+  int side = smallest;
+  prepare(side);
+  timeMs(); // the first time pays for what is made on demand
+  while (side < largest && timeMs() < settings.RepeatMs)
+  {
+    side *= 2;
+    prepare(side);
+  }
+  return side;
+}
+
 /// How much is done a second when each of the times does `amount`.
 inline Summary RatePerSecond(const RepeatedWork& work, double amount)
 {
