@@ -9,7 +9,7 @@ volumebench_technique(compute CLASS ComputeRayCast LABEL "Volume Compute"
     VoxelOrder)
 volumebench_technique(opencl CLASS OpenClRayCast LABEL "Volume OpenCL"
   SETTINGS Skipping TerminationThreshold Jitter JitterSeed WorkGroupShape
-    OpenclDevice OpenclStorage)
+    VoxelOrder OpenclDevice OpenclStorage)
 volumebench_technique(cuda CLASS CudaRayCast LABEL "Volume CUDA" FOLDER CUDA
   REQUIRES VOLUMEBENCH_CUDA_FOUND
   SETTINGS Skipping TerminationThreshold Jitter JitterSeed WorkGroupShape VoxelOrder PictureTransfer)

@@ -78,7 +78,9 @@ TECHNIQUE_SETTINGS = {
         "OpenclStorage", ("opencl",), ("Auto", "Images", "Buffers")
     ),
     "voxel_order": TechniqueSetting(
-        "VoxelOrder", ("compute", "cuda"), ("Naive", "Block Shape", "In-Place Rotation")
+        "VoxelOrder",
+        ("compute", "opencl", "cuda"),
+        ("Naive", "Block Shape", "In-Place Rotation"),
     ),
     "picture_transfer": TechniqueSetting(
         "PictureTransfer",

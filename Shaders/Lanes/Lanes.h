@@ -23,7 +23,9 @@ typedef int8 laneInts;
 #endif
 
 // The rays of a work item: a tile of LANE_COLUMNS pixels a row.
+#ifndef LANE_COLUMNS
 #define LANE_COLUMNS 4
+#endif
 
 FUNC int leastOfLanes(laneInts v)
 {

@@ -90,6 +90,27 @@ TEST_F(OpenClDrawing, ImagesAndBuffersGiveTheNearestVoxels)
   EXPECT_LE(CompareImages(PictureFrom(scene, 1), PictureFrom(scene, 2)).Rmse, 1e-6);
 }
 
+// A turn from a view that asks for one shape to one that asks for the other.
+TEST_F(OpenClDrawing, BlocksShapedByTheViewAreCompiledBeforeItTurns)
+{
+  for (const int storage : { 1, 2 })
+  {
+    RenderScene scene("opencl", MakeImage(17, 15, 13, Waves, VTK_SHORT), HillsProperty());
+    scene.LookFrom(1.0, 0.1, 0.2);
+    const FloatPicture turned = PictureFrom(scene, storage);
+    scene.LookFrom(0.2, 0.1, 1.0);
+    const FloatPicture expected = PictureFrom(scene, storage);
+    const double naiveMs = scene.Mapper->GetSetUpCosts().CompileMs;
+    scene.Mapper->SetVoxelOrder(1);
+    EXPECT_EQ(PictureFrom(scene, storage).Pixels, expected.Pixels);
+    const double shapedMs = scene.Mapper->GetSetUpCosts().CompileMs;
+    EXPECT_NE(shapedMs, naiveMs) << "nothing was compiled";
+    scene.LookFrom(1.0, 0.1, 0.2);
+    EXPECT_EQ(PictureFrom(scene, storage).Pixels, turned.Pixels);
+    EXPECT_EQ(scene.Mapper->GetSetUpCosts().CompileMs, shapedMs) << "compiled in a turn";
+  }
+}
+
 TEST_F(OpenClDrawing, UnknownStorageIsRefused)
 {
   RenderScene scene("opencl", MakeImage(9, 9, 9, Waves, VTK_FLOAT), HillsProperty());

@@ -45,16 +45,19 @@ TEST_P(Settings, BlocksShapedByTheViewGiveThePicture)
 
 TEST(VoxelOrders, ThatATechniqueOrNobodyHasAreRefused)
 {
-  RenderScene scene("compute", MakeImage(12, 10, 8, Bumpy), BumpyProperty());
-  scene.Mapper->GlobalWarningDisplayOff();
-  scene.Mapper->SetVoxelOrder(2);
-  scene.Picture();
-  EXPECT_NE(scene.Mapper->GetFailure().find("compute"), std::string::npos);
-  EXPECT_NE(scene.Mapper->GetFailure().find("Block Shape"), std::string::npos);
-  scene.Mapper->SetVoxelOrder(3);
-  scene.Picture();
-  EXPECT_NE(scene.Mapper->GetFailure().find("voxel order 3"), std::string::npos);
-  scene.Mapper->GlobalWarningDisplayOn();
+  for (const char* technique : { "compute", "opencl" })
+  {
+    RenderScene scene(technique, MakeImage(12, 10, 8, Bumpy), BumpyProperty());
+    scene.Mapper->GlobalWarningDisplayOff();
+    scene.Mapper->SetVoxelOrder(2);
+    scene.Picture();
+    EXPECT_NE(scene.Mapper->GetFailure().find(technique), std::string::npos);
+    EXPECT_NE(scene.Mapper->GetFailure().find("Block Shape"), std::string::npos);
+    scene.Mapper->SetVoxelOrder(3);
+    scene.Picture();
+    EXPECT_NE(scene.Mapper->GetFailure().find("voxel order 3"), std::string::npos);
+    scene.Mapper->GlobalWarningDisplayOn();
+  }
 }
 
 TEST_P(Settings, ThreadsOfAnyNumberGiveThePicture)

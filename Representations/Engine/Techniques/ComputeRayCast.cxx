@@ -60,11 +60,7 @@ void ComputeRayCast::Compile(const Scene& scene)
   {
     this->Faces.Release();
   }
-  if (scene.Sampling.Order == VoxelOrder::InPlaceRotation)
-  {
-    throw SceneError("technique 'compute' does not turn voxels: it has the voxel orders Naive and "
-                     "Block Shape");
-  }
+  RefuseTurns(scene, "compute");
   const glm::ivec2 workGroup = KnownWorkGroup(scene);
   if (workGroup.x > 0)
   {

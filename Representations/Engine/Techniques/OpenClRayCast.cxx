@@ -3,6 +3,7 @@
 #include "Scene/PackScene.h"
 #include "Scene/WorkGroup.h"
 #include "Stopwatch.h"
+#include "VoxelOrder/ViewClass.h"
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtk_glew.h"
@@ -15,7 +16,6 @@ namespace
 {
 constexpr const char* Entry = "RayCast.cl";
 constexpr const char* LanesEntry = "RayCastLanes.cl";
-constexpr int LaneColumns = 4; // pixels in a row of the tile of a work item: LANE_COLUMNS
 
 // Drivers for CPUs compile a kernel anew for each shape, and lose next to nothing with this one.
 constexpr glm::ivec2 CpuWorkGroup(16, 8);
@@ -47,6 +47,17 @@ int LanesFor(const Scene& scene, const OpenClDevice& device)
   }
   const int chosen = scene.Sampling.OpenCl.Lanes;
   return chosen > 0 ? chosen : device.Lanes();
+}
+
+// Pixels of a work item: nearly square, or along the smaller stride of the voxels.
+glm::ivec2 TileOf(int lanes, bool shaped, bool across)
+{
+  if (lanes == 1)
+  {
+    return { 1, 1 };
+  }
+  const int columns = shaped ? (across ? lanes / 2 : 2) : 4;
+  return { columns, lanes / columns };
 }
 
 double MillisecondsOf(cl_event event)
@@ -105,32 +116,54 @@ void OpenClRayCast::Compile(const Scene& scene)
   {
     this->Depth.Release();
   }
+  RefuseTurns(scene, "opencl");
+  const Stopwatch watch;
+  const ViewClass view = ViewClassOf(ScreenAxesOf(scene));
+  if (!this->CompileFor(scene, view))
+  {
+    return;
+  }
+  if (scene.Sampling.Order == VoxelOrder::BlockShape)
+  {
+    this->CompileFor(scene, { view.FacingAxis, !view.Across }); // so that no frame of a turn has to
+    this->CompileFor(scene, view);
+  }
+  this->CompileMs = watch.ElapsedMs();
+}
+
+bool OpenClRayCast::CompileFor(const Scene& scene, const ViewClass& view)
+{
+  OpenClSession& session = *this->Session;
+  const OpenClDevice& device = session.GetDevice();
   const int lanes = LanesFor(scene, device);
-  this->Tile = lanes > 1 ? glm::ivec2(LaneColumns, lanes / LaneColumns) : glm::ivec2(1);
-  const std::string defines = FeatureDefines(features) + this->Data.GetDefines() +
-    "#define LANES " + std::to_string(lanes) + "\n";
+  const bool shaped = scene.Sampling.Order == VoxelOrder::BlockShape;
+  this->Tile = TileOf(lanes, shaped, view.Across);
+  this->WorkGroup =
+    shaped ? glm::max(BlockShapeOf(view) / this->Tile, 1) : scene.Sampling.WorkGroup;
+  std::string defines = FeatureDefines(this->GetFeatures()) + this->Data.GetDefines() +
+    "#define LANES " + std::to_string(lanes) + "\n#define LANE_COLUMNS " +
+    std::to_string(this->Tile.x) + "\n";
+  if (shaped)
+  {
+    // A text of its own for each shape of groups, as drivers for CPUs have a program.
+    defines += std::string("#define ACROSS ") + (view.Across ? "1" : "0") + "\n";
+  }
   if (this->Kernel && defines == this->KernelDefines)
   {
-    return; // as in most frames
+    return false; // as in most frames
   }
   const KernelText text =
     SpecializeKernel(lanes > 1 ? LanesEntry : Entry, defines, EmbeddedKernel, LineStyle::Names);
   const bool known = this->Kernel && session.HasKernel(text);
   this->Kernel = nullptr;
   this->KernelDefines = defines;
-  const Stopwatch watch;
   this->Kernel = session.KernelOf(text, "castRays");
-  if (known)
-  {
-    return;
-  }
-  if (device.IsCpu())
+  if (!known && device.IsCpu())
   {
     // Compiles the rest: a launch without a ray.
-    const glm::ivec2 shape = scene.Sampling.WorkGroup;
-    this->Cast({}, shape.x > 0 ? shape : CpuWorkGroup);
+    this->Cast({}, this->ChooseWorkGroup(scene, {}));
   }
-  this->CompileMs = watch.ElapsedMs();
+  return !known;
 }
 
 double OpenClRayCast::Cast(const PicturePart& part, glm::ivec2 workGroup)
@@ -240,9 +273,9 @@ void OpenClRayCast::Transfer(const PicturePart& part)
 
 glm::ivec2 OpenClRayCast::ChooseWorkGroup(const Scene& scene, const PicturePart& part)
 {
-  if (scene.Sampling.WorkGroup.x > 0)
+  if (this->WorkGroup.x > 0)
   {
-    return scene.Sampling.WorkGroup;
+    return this->WorkGroup;
   }
   if (this->Session->GetDevice().IsCpu())
   {

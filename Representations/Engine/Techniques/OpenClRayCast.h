@@ -14,6 +14,8 @@
 
 namespace volumebench
 {
+struct ViewClass;
+
 class OpenClRayCast : public OpenGlTechnique
 {
 public:
@@ -34,6 +36,9 @@ protected:
   std::size_t GetOwnBytes() const override;
 
 private:
+  /// Takes the kernel for views of this class, and whether it had to be compiled.
+  bool CompileFor(const Scene& scene, const ViewClass& view);
+
   /// Casts the rays of a part in work groups of this shape and waits until they are done. Returns
   /// what the kernel took, in milliseconds.
   double Cast(const PicturePart& part, glm::ivec2 workGroup);
@@ -54,6 +59,7 @@ private:
   cl_kernel Kernel = nullptr;       // the session's
   std::string KernelDefines;        // that it was specialised with
   glm::ivec2 Tile{ 1 };             // pixels of a work item
+  glm::ivec2 WorkGroup{ 0 };        // work items; 0: to be chosen
   OpenClScene Data;
   OpenClMemory Depth; // of opaque geometry, as large as the viewport
   cl_int DepthWidth = 0;

@@ -46,6 +46,15 @@ char ViewAxis(const Scene& scene)
 }
 }
 
+void RefuseTurns(const Scene& scene, const char* technique)
+{
+  if (scene.Sampling.Order == VoxelOrder::InPlaceRotation)
+  {
+    throw SceneError(std::string("technique '") + technique +
+      "' does not turn voxels: it has the voxel orders Naive and Block Shape");
+  }
+}
+
 glm::ivec2 SuggestedWorkGroup(std::size_t volumeBytes)
 {
   const double megabytes = static_cast<double>(volumeBytes) / Megabyte;

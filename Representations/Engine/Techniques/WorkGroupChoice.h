@@ -34,6 +34,9 @@ inline PicturePart PartOf(const glm::ivec4& box, const glm::ivec4& rectangle)
   return { first, first + glm::ivec2(rectangle.z, rectangle.w) };
 }
 
+/// Throws SceneError when voxels are to be turned, which `technique` does not do.
+VOLUMEBENCHENGINE_EXPORT void RefuseTurns(const Scene& scene, const char* technique);
+
 /// The paper's shape for a volume of this many bytes.
 VOLUMEBENCHENGINE_EXPORT glm::ivec2 SuggestedWorkGroup(std::size_t volumeBytes);
 

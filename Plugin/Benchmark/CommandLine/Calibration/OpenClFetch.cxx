@@ -12,7 +12,7 @@ namespace volumebench
 namespace
 {
 constexpr std::size_t GroupSide = 8; // work items
-constexpr int LaneColumns = 4;       // LANE_COLUMNS of Shaders/Lanes
+constexpr int LaneColumns = 4;       // of the tile of a work item
 
 cl_float4 FourOf(const glm::dvec3& v)
 {
@@ -32,7 +32,8 @@ void OpenClFetch::Compile(bool small)
   const int lanes = this->LookUp == OpenClLookUp::Lanes ? this->Session.GetDevice().Lanes() : 1;
   const std::string head = FeatureDefines({}) + "#define WITH_BUFFERS " +
     (this->LookUp == OpenClLookUp::Images ? "0" : "1") + "\n#define WITH_UNSIGNED16 " +
-    (small ? "1" : "0") + "\n#define WITH_NEAREST 0\n#define LANES " + std::to_string(lanes) + "\n";
+    (small ? "1" : "0") + "\n#define WITH_NEAREST 0\n#define LANES " + std::to_string(lanes) +
+    "\n#define LANE_COLUMNS " + std::to_string(LaneColumns) + "\n";
   const KernelText text =
     SpecializeKernel("Calibration/FetchRate.cl", head, EmbeddedKernel, LineStyle::Names);
   this->Kernel = this->Session.KernelOf(text, "sumFetches");
