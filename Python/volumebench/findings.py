@@ -10,6 +10,8 @@ from typing import Any
 
 import matplotlib.pyplot as plt
 
+from .equal_error import equal_error_table
+from .equal_error import sentence as equal_error_sentence
 from .error_targets import target_table
 from .json_file import write_atomically
 from .paper import verdicts
@@ -18,6 +20,7 @@ from .paper_tables import conclusion_table, paper_sentence, published_tables
 from .plot import FOLDER, save_figure
 from .plot_style import STYLE
 from .report_style import (
+    HOW_EQUAL_ERROR_IS_READ,
     HOW_PAPERS_ARE_READ,
     HOW_SCALING_IS_READ,
     HOW_SPEED_IS_READ,
@@ -39,7 +42,7 @@ from .speed_tables import (
     start_remarks,
 )
 from .start import StartRow
-from .study import SCALING, SPEED, Study
+from .study import EQUAL_ERROR, SCALING, SPEED, Study
 from .tables import Table, as_text
 from .work_precision import sentence
 from .work_precision_tables import doubt_sentence, sweep_remarks, sweep_tables
@@ -78,6 +81,8 @@ def findings_of(
         return _speed(records, start_rows, folder)
     if study.report == SCALING:
         return _scaling(study, records, folder)
+    if study.report == EQUAL_ERROR:
+        return _equal_error(records)
     if study.sweeps:
         return sweep_findings(records)
     return None
@@ -106,6 +111,15 @@ def _speed(records: list[Record], start_rows: list[StartRow], folder: Path) -> F
         tuple(remarks),
         HOW_SPEED_IS_READ,
         figures,
+    )
+
+
+def _equal_error(records: list[Record]) -> Findings:
+    return Findings(
+        equal_error_sentence(records),
+        (equal_error_table(records), saving_table(records)),
+        (doubt_sentence(records),),
+        HOW_EQUAL_ERROR_IS_READ,
     )
 
 

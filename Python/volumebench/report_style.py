@@ -150,6 +150,14 @@ and leave out volumes in which no two runs bracket that error. Set-up is upload,
 kernels' compilation does not depend on the data.</small></p>
 """
 
+HOW_EQUAL_ERROR_IS_READ = """
+<p><small>The time of a technique at an error is read off the curve of its fastest variant (integrator
+and settings), straight in log-log between two measured steps, never beyond them; errors that single pass
+was not measured on both sides of are left out. "At least": the other technique's fastest run is more
+accurate than that. The 95 % interval joins those of both medians. Rows with skipping off are
+controls. The picture is timed at one size and its error measured at another.</small></p>
+"""
+
 HOW_CEILINGS_ARE_READ = """
 <p><small>The ceiling is the highest rate of trilinear fetches that volumebench-run --calibrate measured on this
 machine in the same kind of shader or OpenCL kernel and the same format of voxels, over volumes of 16 to 256

@@ -14,6 +14,7 @@ CELL_EXACT = "Cell Exact"
 FINE_STEPS = "Fine Steps"
 SPEED = "speed"
 SCALING = "scaling"
+EQUAL_ERROR = "equal-error"
 BLEND_MODES = (COMPOSITE, "Maximum", "Minimum", "Average", "Gradient")
 
 
