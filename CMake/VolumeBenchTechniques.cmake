@@ -1,23 +1,34 @@
 # The machinery behind Plugin/Techniques.cmake. A row is
 #   volumebench_technique(<id> CLASS <Class> LABEL "<label in ParaView>" [SETTINGS <name>...]
-#     [FOLDER <folder>] [REQUIRES <variable>])
+#     [FOLDER <folder>] [REQUIRES <variable> "<what that is>"])
 # and gives: the factory entry, the source pair Techniques/<Class>.h/.cxx, the representation type
 # in ParaView's list, its panel, and a case in every image test. SETTINGS are the properties that
 # the panel shows for this technique and not for all. FOLDER, below the root, holds the pair in place of
 # Techniques/; a build in which the variable that REQUIRES names is false has no such technique.
 set(volumebench_technique_ids "")
+set(volumebench_left_out_rows "")
 set(volumebench_technique_settings ErrorTarget Skipping TerminationThreshold RaySetUp Jitter JitterSeed
   WorkGroupShape OpenclDevice OpenclStorage PictureTransfer VoxelOrder SliceExtent SliceOrder
   SliceTarget SliceThreads)
 
 function(volumebench_technique id)
-  cmake_parse_arguments(PARSE_ARGV 1 row "" "CLASS;LABEL;FOLDER;REQUIRES" "SETTINGS")
+  cmake_parse_arguments(PARSE_ARGV 1 row "" "CLASS;LABEL;FOLDER" "REQUIRES;SETTINGS")
   if(NOT row_CLASS OR NOT row_LABEL OR row_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "volumebench_technique(${id}): CLASS and LABEL are needed, nothing else "
       "but SETTINGS, FOLDER and REQUIRES")
   endif()
-  if(row_REQUIRES AND NOT "${${row_REQUIRES}}")
-    return()
+  if(row_REQUIRES)
+    list(LENGTH row_REQUIRES words)
+    if(NOT words EQUAL 2)
+      message(FATAL_ERROR "volumebench_technique(${id}): REQUIRES takes a variable and what it stands for")
+    endif()
+    list(GET row_REQUIRES 0 variable)
+    list(GET row_REQUIRES 1 requirement)
+    if(NOT "${${variable}}")
+      string(APPEND volumebench_left_out_rows "    { \"${id}\", \"${requirement}\" },\n")
+      set(volumebench_left_out_rows "${volumebench_left_out_rows}" PARENT_SCOPE)
+      return()
+    endif()
   endif()
   if(NOT row_FOLDER)
     set(row_FOLDER Techniques)
@@ -78,6 +89,7 @@ function(volumebench_generate_technique_table template source_variable)
       "    { \"${id}\", \"${volumebench_label_${id}}\",\n"
       "      []() -> std::unique_ptr<Technique> { return std::make_unique<${class}>(); } },\n")
   endforeach()
+  set(LEFT_OUT_ROWS "${volumebench_left_out_rows}")
   set(source "${CMAKE_CURRENT_BINARY_DIR}/TechniqueTable.cxx")
   configure_file("${template}" "${source}" @ONLY)
   set("${source_variable}" "${source}" PARENT_SCOPE)

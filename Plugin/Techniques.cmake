@@ -11,7 +11,7 @@ volumebench_technique(opencl CLASS OpenClRayCast LABEL "Volume OpenCL"
   SETTINGS Skipping TerminationThreshold Jitter JitterSeed WorkGroupShape
     VoxelOrder OpenclDevice OpenclStorage)
 volumebench_technique(cuda CLASS CudaRayCast LABEL "Volume CUDA" FOLDER CUDA
-  REQUIRES VOLUMEBENCH_CUDA_FOUND
+  REQUIRES VOLUMEBENCH_CUDA_FOUND "CUDA's toolkit"
   SETTINGS Skipping TerminationThreshold Jitter JitterSeed WorkGroupShape VoxelOrder PictureTransfer)
 volumebench_technique(slices CLASS Slices LABEL "Volume Slices"
   SETTINGS Skipping Jitter JitterSeed SliceExtent SliceOrder SliceTarget)

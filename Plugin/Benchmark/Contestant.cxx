@@ -67,12 +67,12 @@ Contestant::Contestant(const std::string& id, const ContestantInput& input)
   }
   else
   {
-    std::string known = TechniqueIds();
+    std::string peers;
     for (const std::string& peer : Peers())
     {
-      known += ", " + peer;
+      peers += ", " + peer;
     }
-    throw std::runtime_error("there is no technique '" + id + "'; known are " + known);
+    throw std::runtime_error(WhyNoTechnique(id, peers));
   }
   if (this->Mapper || this->Unsupported.empty())
   {

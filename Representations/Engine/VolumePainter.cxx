@@ -109,7 +109,7 @@ void VolumePainter::UseTechnique(const std::string& id)
   }
   if (!FindTechnique(id))
   {
-    throw SceneError("there is no technique '" + id + "'; known are " + TechniqueIds());
+    throw SceneError(WhyNoTechnique(id));
   }
   this->ReleaseGpu();
   this->Parts.clear();

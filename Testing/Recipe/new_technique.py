@@ -4,6 +4,7 @@ import os
 
 from paraview import servermanager
 from support import (
+    ERRORS,
     LABEL,
     capture,
     check_not_empty,
@@ -46,6 +47,18 @@ def check_benchmark_measures() -> None:
         for name in ("technique", "status")
     }
     assert row == {"technique": TECHNIQUE, "status": "ok"}, row
+
+
+def check_build_without_cuda_says_so() -> None:
+    display = show(wavelet(), new_view())
+    assert "Volume CUDA" not in display.GetProperty("Representation").Available
+    bench = servermanager.filters.VolumeBenchmark(Input=wavelet())
+    bench.Techniques = ["cuda"]
+    ERRORS.take()
+    bench.UpdatePipeline()
+    messages = ERRORS.take()
+    assert len(messages) == 1, messages
+    assert "was made without CUDA's toolkit" in messages[0], messages
 
 
 if __name__ == "__main__":

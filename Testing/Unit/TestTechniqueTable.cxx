@@ -28,3 +28,10 @@ TEST(TechniqueTable, EveryRowCreatesATechniqueOfItsOwnName)
   EXPECT_EQ(ids.size(), TechniqueTable().size());
   EXPECT_EQ(labels.size(), TechniqueTable().size());
 }
+
+// What a build leaves out is tried by the Recipe test, whose build has no CUDA.
+TEST(TechniqueTable, UnknownIdsAreAnsweredByThoseThereAre)
+{
+  const std::string message = WhyNoTechnique("abacus", ", and peers");
+  EXPECT_EQ(message, "there is no technique 'abacus'; known are " + TechniqueIds() + ", and peers");
+}

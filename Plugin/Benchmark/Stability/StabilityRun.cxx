@@ -72,7 +72,7 @@ std::vector<Subject> SubjectsOf(const StabilitySettings& settings)
     }
     if (!FindTechnique(id))
     {
-      throw std::runtime_error("there is no technique '" + id + "'; known are " + TechniqueIds());
+      throw std::runtime_error(WhyNoTechnique(id));
     }
     if (!Contestant::TakesSteps(id))
     {

@@ -30,6 +30,11 @@ VOLUMEBENCHENGINE_EXPORT std::string DeviceOfTechnique(const std::string& id);
 
 /// All ids, separated by ", ", for messages.
 VOLUMEBENCHENGINE_EXPORT std::string TechniqueIds();
+
+/// The message for an id that this build has no technique of: why, if it leaves the technique out,
+/// or those there are with `others` behind them.
+VOLUMEBENCHENGINE_EXPORT std::string WhyNoTechnique(
+  const std::string& id, const std::string& others = {});
 }
 
 #endif
