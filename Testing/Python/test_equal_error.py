@@ -47,6 +47,8 @@ def test_a_technique_that_is_more_accurate_at_once_is_at_least_so_fast():
     assert first.factor() == pytest.approx(20)
     table = equal_error_table([*base, *curve("opencl", [(5, 2e-3), (50, 1e-3)])])
     assert [cells[7] for cells in table.rows][0] == "at least 20.00x"
+    slow, *_ = pairs([*base, *curve("opencl", [(500, 2e-3)])])
+    assert slow.factor() < 1 and slow.is_faster() is None  # at least so fast, maybe faster
 
 
 def test_scenes_and_paths_are_kept_apart():
