@@ -3,6 +3,7 @@
 #include "Error/ImageError.h"
 #include "RenderScene.h"
 
+#include "OpenCl/GlSharing.h"
 #include "OpenCl/OpenClDevices.h"
 #include "Techniques/Technique.h"
 
@@ -41,6 +42,17 @@ protected:
     return picture;
   }
 };
+}
+
+TEST(GlSharing, KnowsTheContextOfTheWindow)
+{
+  RenderScene scene("single-pass", MakeImage(9, 9, 9, Waves, VTK_FLOAT), HillsProperty());
+  scene.Picture();
+  scene.Window->MakeCurrent();
+  const GlContext context = CurrentGlContext();
+  EXPECT_EQ(context.Platform, GlPlatform::Glx);
+  EXPECT_NE(context.Context, nullptr);
+  EXPECT_NE(context.Display, nullptr);
 }
 
 TEST_F(OpenClDrawing, DeviceIsChosenByName)

@@ -7,6 +7,7 @@
 
 #define CL_TARGET_OPENCL_VERSION 120
 #include <CL/cl.h>
+#include <CL/cl_gl.h>
 
 #include <string>
 
@@ -19,7 +20,9 @@
             apply(ReleaseProgram) apply(CreateKernel) apply(ReleaseKernel) apply(SetKernelArg)     \
               apply(GetKernelWorkGroupInfo) apply(EnqueueNDRangeKernel)                            \
                 apply(GetEventProfilingInfo) apply(WaitForEvents) apply(ReleaseEvent)              \
-                  apply(Finish)
+                  apply(Finish) apply(ReleaseContext) apply(ReleaseCommandQueue)                   \
+                    apply(GetExtensionFunctionAddressForPlatform) apply(CreateFromGLTexture)       \
+                      apply(EnqueueAcquireGLObjects) apply(EnqueueReleaseGLObjects)
 
 namespace volumebench
 {

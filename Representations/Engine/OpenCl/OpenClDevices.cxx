@@ -58,8 +58,9 @@ void AddDevices(cl_platform_id platform, std::vector<OpenClDevice>& devices)
     device.Id = id;
     device.Type = DeviceValue<cl_device_type>(id, CL_DEVICE_TYPE);
     device.HasImages = DeviceValue<cl_bool>(id, CL_DEVICE_IMAGE_SUPPORT) == CL_TRUE;
-    device.VectorFloats = static_cast<int>(
-      DeviceValue<cl_uint>(id, CL_DEVICE_NATIVE_VECTOR_WIDTH_FLOAT));
+    device.Extensions = TextOf(cl.GetDeviceInfo, id, CL_DEVICE_EXTENSIONS);
+    device.VectorFloats =
+      static_cast<int>(DeviceValue<cl_uint>(id, CL_DEVICE_NATIVE_VECTOR_WIDTH_FLOAT));
     const bool works = DeviceValue<cl_bool>(id, CL_DEVICE_AVAILABLE) == CL_TRUE &&
       DeviceValue<cl_bool>(id, CL_DEVICE_COMPILER_AVAILABLE) == CL_TRUE;
     if (works)

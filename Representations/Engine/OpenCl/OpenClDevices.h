@@ -19,6 +19,7 @@ struct OpenClDevice
   cl_device_type Type = 0;
   bool HasImages = false; // and samplers that filter
   int VectorFloats = 1;   // floats that its vectors hold
+  std::string Extensions; // separated by spaces
 
   /// Rays that suit the vectors of a CPU side by side.
   int Lanes() const { return this->VectorFloats >= 16 ? 16 : 8; }

@@ -107,6 +107,29 @@ void OpenClMemory::WriteImage(const void* texels, int firstSlice, int slices)
     "clEnqueueWriteImage");
 }
 
+void OpenClMemory::ShareTexture(OpenClSession& session, unsigned int texture)
+{
+  constexpr cl_GLenum target = 0x0DE1; // GL_TEXTURE_2D
+  this->Release();
+  cl_int status = CL_SUCCESS;
+  this->Handle = OpenCl().CreateFromGLTexture(
+    session.GetContext(), CL_MEM_WRITE_ONLY, target, 0, texture, &status);
+  CheckOpenCl(status, "clCreateFromGLTexture");
+  this->Session = &session;
+}
+
+void OpenClMemory::WhileAcquired(const std::function<void()>& use)
+{
+  const OpenClApi& cl = OpenCl();
+  cl_command_queue queue = this->Session->GetQueue();
+  CheckOpenCl(cl.EnqueueAcquireGLObjects(queue, 1, &this->Handle, 0, nullptr, nullptr),
+    "clEnqueueAcquireGLObjects");
+  use();
+  CheckOpenCl(cl.EnqueueReleaseGLObjects(queue, 1, &this->Handle, 0, nullptr, nullptr),
+    "clEnqueueReleaseGLObjects");
+  CheckOpenCl(cl.Finish(queue), "clFinish");
+}
+
 void OpenClMemory::Release()
 {
   if (this->Handle)

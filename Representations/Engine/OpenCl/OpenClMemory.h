@@ -36,6 +36,13 @@ public:
   /// Sends slices of the image.
   void WriteImage(const void* texels, int firstSlice, int slices);
 
+  /// A texture of OpenGL, of two dimensions, as an image to write. The session must share with its
+  /// context; nothing is kept beside it.
+  void ShareTexture(OpenClSession& session, unsigned int texture);
+
+  /// Lets kernels write to the texture while `use` runs, which OpenGL does not use meanwhile.
+  void WhileAcquired(const std::function<void()>& use);
+
   bool IsCreated() const { return this->Handle != nullptr; }
   const cl_mem& GetHandle() const { return this->Handle; }
   std::size_t GetBytes() const { return this->Bytes; }

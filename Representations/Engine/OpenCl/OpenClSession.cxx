@@ -2,14 +2,20 @@
 
 #include "Gpu/KernelSpecializer.h"
 
-#include <memory>
-
 namespace volumebench
 {
 namespace
 {
 // Literals without a suffix are floats, as in GLSL.
 constexpr const char* BuildOptions = "-cl-std=CL1.2 -cl-single-precision-constant";
+
+std::vector<cl_context_properties> PropertiesOf(
+  const OpenClDevice& device, std::vector<cl_context_properties> properties)
+{
+  properties.insert(properties.end(),
+    { CL_CONTEXT_PLATFORM, reinterpret_cast<cl_context_properties>(device.Platform), 0 });
+  return properties;
+}
 
 std::string BuildLog(cl_program program, cl_device_id device)
 {
@@ -29,22 +35,57 @@ OpenClSession& OpenClSession::Of(const OpenClDevice& device)
   std::unique_ptr<OpenClSession>& session = (*sessions)[device.Id];
   if (!session)
   {
-    session.reset(new OpenClSession(device));
+    session.reset(new OpenClSession(device, {}));
   }
   return *session;
 }
 
-OpenClSession::OpenClSession(const OpenClDevice& device)
+std::shared_ptr<OpenClSession> OpenClSession::Sharing(
+  const OpenClDevice& device, const GlContext& context)
+{
+  const std::vector<cl_context_properties> sharing =
+    GlSharingProperties(device.Extensions, context);
+  if (sharing.empty() || !Draws(device, PropertiesOf(device, sharing)))
+  {
+    return nullptr;
+  }
+  return std::shared_ptr<OpenClSession>(new OpenClSession(device, sharing));
+}
+
+bool OpenClSession::Draws(
+  const OpenClDevice& device, const std::vector<cl_context_properties>& properties)
+{
+  const auto info = reinterpret_cast<clGetGLContextInfoKHR_fn>(
+    OpenCl().GetExtensionFunctionAddressForPlatform(device.Platform, "clGetGLContextInfoKHR"));
+  cl_device_id drawing = nullptr;
+  return info &&
+    info(properties.data(), CL_CURRENT_DEVICE_FOR_GL_CONTEXT_KHR, sizeof(drawing), &drawing,
+      nullptr) == CL_SUCCESS &&
+    drawing == device.Id;
+}
+
+OpenClSession::OpenClSession(
+  const OpenClDevice& device, const std::vector<cl_context_properties>& sharing)
   : Device(device)
 {
   const OpenClApi& cl = OpenCl();
-  const cl_context_properties properties[] = { CL_CONTEXT_PLATFORM,
-    reinterpret_cast<cl_context_properties>(device.Platform), 0 };
+  const std::vector<cl_context_properties> properties = PropertiesOf(device, sharing);
   cl_int status = CL_SUCCESS;
-  this->Context = cl.CreateContext(properties, 1, &device.Id, nullptr, nullptr, &status);
+  this->Context = cl.CreateContext(properties.data(), 1, &device.Id, nullptr, nullptr, &status);
   CheckOpenCl(status, "clCreateContext");
   this->Queue = cl.CreateCommandQueue(this->Context, device.Id, CL_QUEUE_PROFILING_ENABLE, &status);
   CheckOpenCl(status, "clCreateCommandQueue");
+}
+
+OpenClSession::~OpenClSession()
+{
+  const OpenClApi& cl = OpenCl();
+  for (const auto& [text, kernel] : this->Kernels)
+  {
+    cl.ReleaseKernel(kernel);
+  }
+  cl.ReleaseCommandQueue(this->Queue);
+  cl.ReleaseContext(this->Context);
 }
 
 bool OpenClSession::HasKernel(const KernelText& text) const

@@ -1,12 +1,15 @@
 // An OpenCL device at work: its context, its queue and the kernels compiled for it. There is one
-// for the life of the process, so that blocks, views and studies share what is compiled.
+// for the life of the process, so that blocks, views and studies share what is compiled; those that
+// write into textures of OpenGL have one for each context of OpenGL.
 #ifndef volumebench_OpenClSession_h
 #define volumebench_OpenClSession_h
 
+#include "OpenCl/GlSharing.h"
 #include "OpenCl/OpenClDevices.h"
 
 #include <cstddef>
 #include <map>
+#include <memory>
 #include <string>
 
 namespace volumebench
@@ -19,6 +22,12 @@ public:
   /// Throws SceneError when the device gives no context.
   static OpenClSession& Of(const OpenClDevice& device);
 
+  /// One that shares with a context of OpenGL, for as long as anybody holds it; null when the
+  /// device cannot, or is not the one that draws there.
+  static std::shared_ptr<OpenClSession> Sharing(
+    const OpenClDevice& device, const GlContext& context);
+
+  ~OpenClSession();
   OpenClSession(const OpenClSession&) = delete;
   OpenClSession& operator=(const OpenClSession&) = delete;
 
@@ -45,7 +54,10 @@ public:
   std::size_t LargestWorkGroup(cl_kernel kernel) const;
 
 private:
-  explicit OpenClSession(const OpenClDevice& device);
+  OpenClSession(const OpenClDevice& device, const std::vector<cl_context_properties>& sharing);
+
+  static bool Draws(
+    const OpenClDevice& device, const std::vector<cl_context_properties>& properties);
 
   OpenClDevice Device;
   cl_context Context = nullptr;

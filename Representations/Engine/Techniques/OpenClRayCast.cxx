@@ -102,14 +102,7 @@ void OpenClRayCast::Compile(const Scene& scene)
 {
   this->ProgramOf({ "Viewport.vert", "Picture.frag" });
   const OpenClDevice& device = ChooseOpenClDevice(OpenClDevices(), scene.Sampling.OpenCl.Device);
-  OpenClSession& session = OpenClSession::Of(device);
-  if (this->Session != &session)
-  {
-    this->Depth.Release();
-    this->Result.Release();
-    this->Session = &session;
-    this->KernelDefines.clear();
-  }
+  OpenClSession& session = this->SessionFor(device);
   const FeatureSet features = this->GetFeatures();
   this->Data.Update(scene, features, session, UsesBuffers(scene, device));
   if (!Has(features, Feature::OpaqueDepth))
@@ -131,6 +124,21 @@ void OpenClRayCast::Compile(const Scene& scene)
   this->CompileMs = watch.ElapsedMs();
 }
 
+OpenClSession& OpenClRayCast::SessionFor(const OpenClDevice& device)
+{
+  const GlContext context = device.IsCpu() ? GlContext() : CurrentGlContext();
+  const bool same =
+    this->Session && this->Session->GetDevice().Id == device.Id && this->SharedContext == context;
+  if (!same)
+  {
+    this->ReleaseOpenCl();
+    this->Shared = OpenClSession::Sharing(device, context);
+    this->SharedContext = context;
+    this->Session = this->Shared ? this->Shared.get() : &OpenClSession::Of(device);
+  }
+  return *this->Session;
+}
+
 bool OpenClRayCast::CompileFor(const Scene& scene, const ViewClass& view)
 {
   OpenClSession& session = *this->Session;
@@ -142,7 +150,7 @@ bool OpenClRayCast::CompileFor(const Scene& scene, const ViewClass& view)
     shaped ? glm::max(BlockShapeOf(view) / this->Tile, 1) : scene.Sampling.WorkGroup;
   std::string defines = FeatureDefines(this->GetFeatures()) + this->Data.GetDefines() +
     "#define LANES " + std::to_string(lanes) + "\n#define LANE_COLUMNS " +
-    std::to_string(this->Tile.x) + "\n";
+    std::to_string(this->Tile.x) + "\n#define WITH_GL_PICTURE " + (this->Shared ? "1" : "0") + "\n";
   if (shaped)
   {
     // A text of its own for each shape of groups, as drivers for CPUs have a program.
@@ -172,7 +180,7 @@ double OpenClRayCast::Cast(const PicturePart& part, glm::ivec2 workGroup)
   const glm::ivec2 size = part.End - part.First;
   const std::size_t bytes =
     sizeof(glm::vec4) * static_cast<std::size_t>(std::max(size.x * size.y, 1));
-  if (this->Result.GetBytes() < bytes)
+  if (!this->Shared && this->Result.GetBytes() < bytes)
   {
     this->Result.ResizeBuffer(*this->Session, bytes, CL_MEM_WRITE_ONLY);
   }
@@ -187,7 +195,7 @@ double OpenClRayCast::Cast(const PicturePart& part, glm::ivec2 workGroup)
     arguments.Add(this->Depth);
     arguments.Add(this->DepthWidth);
   }
-  arguments.Add(this->Result);
+  arguments.Add(this->Shared ? this->Target : this->Result);
   arguments.Add(cl_int4{ { part.First.x, part.First.y, part.End.x, part.End.y } });
   const glm::ivec2 pixels = workGroup * this->Tile;
   const glm::ivec2 groups = glm::max((size + pixels - 1) / pixels, glm::ivec2(1));
@@ -222,14 +230,22 @@ void OpenClRayCast::Draw(
   this->Data.SetNumbers(RoundToFloat(this->GetNumbers()));
   const glm::ivec4 box = BoxRectangle(scene);
   const PicturePart part = PartOf(box, rectangle);
-  const glm::ivec2 workGroup = this->ChooseWorkGroup(scene, part);
   this->Picture.Bind(GL_TEXTURE_2D);
   if (this->PictureSize != glm::ivec2(box.z, box.w))
   {
     this->Picture.SetSampling(false);
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, box.z, box.w, 0, GL_RGBA, GL_FLOAT, nullptr);
     this->PictureSize = { box.z, box.w };
+    this->Target.Release();
   }
+  if (this->Shared)
+  {
+    this->Picture.Unbind();
+    this->CastShared(scene, part);
+    this->DisplayPicture(window, this->Picture, rectangle);
+    return;
+  }
+  const glm::ivec2 workGroup = this->ChooseWorkGroup(scene, part);
   for (const PicturePart& band : this->BandsOf(part, workGroup.y))
   {
     this->GetFrameStages().Add("dispatch", this->Cast(band, workGroup));
@@ -237,6 +253,21 @@ void OpenClRayCast::Draw(
   }
   this->Picture.Unbind();
   this->DisplayPicture(window, this->Picture, rectangle);
+}
+
+void OpenClRayCast::CastShared(const Scene& scene, const PicturePart& part)
+{
+  if (!this->Target.IsCreated())
+  {
+    this->Target.ShareTexture(*this->Session, this->Picture.GetHandle());
+  }
+  glFinish(); // OpenGL must be done with the texture
+  this->Target.WhileAcquired(
+    [&]
+    {
+      const glm::ivec2 workGroup = this->ChooseWorkGroup(scene, part);
+      this->GetFrameStages().Add("dispatch", this->Cast(part, workGroup));
+    });
 }
 
 std::vector<PicturePart> OpenClRayCast::BandsOf(const PicturePart& part, int groupRows) const
@@ -302,8 +333,22 @@ SetUpCosts OpenClRayCast::GetSetUpCosts() const
   return costs;
 }
 
+void OpenClRayCast::ReleaseOpenCl()
+{
+  this->Data.Release();
+  this->Depth.Release();
+  this->Target.Release();
+  this->Result.Release();
+  this->Kernel = nullptr;
+  this->KernelDefines.clear();
+  this->Session = nullptr;
+  this->Shared.reset(); // after all that it made
+  this->SharedContext = {};
+}
+
 void OpenClRayCast::ReleaseOwn()
 {
+  this->ReleaseOpenCl(); // a texture that is shared goes after its image
   this->Picture.Release();
 }
 
@@ -311,9 +356,7 @@ void OpenClRayCast::ForgetOwn()
 {
   this->Picture.Forget();
   this->PictureSize = glm::ivec2(0);
-  this->Data.Release();
-  this->Depth.Release();
-  this->Result.Release();
+  this->ReleaseOpenCl();
 }
 
 std::size_t OpenClRayCast::GetOwnBytes() const

@@ -36,6 +36,13 @@ protected:
   std::size_t GetOwnBytes() const override;
 
 private:
+  /// The session that the scene's device has for the current context of OpenGL. What another one
+  /// holds is given up.
+  OpenClSession& SessionFor(const OpenClDevice& device);
+
+  /// Casts a part straight into the picture's texture.
+  void CastShared(const Scene& scene, const PicturePart& part);
+
   /// Takes the kernel for views of this class, and whether it had to be compiled.
   bool CompileFor(const Scene& scene, const ViewClass& view);
 
@@ -43,6 +50,7 @@ private:
   /// what the kernel took, in milliseconds.
   double Cast(const PicturePart& part, glm::ivec2 workGroup);
 
+  void ReleaseOpenCl();
   void SendDepth(const glm::ivec4& viewport);
 
   /// What is cast at a time: all of a part on a graphics card. A processor casts bands of whole
@@ -55,6 +63,8 @@ private:
 
   glm::ivec2 ChooseWorkGroup(const Scene& scene, const PicturePart& part);
 
+  std::shared_ptr<OpenClSession> Shared; // with OpenGL, where the device can
+  GlContext SharedContext;
   OpenClSession* Session = nullptr; // of the device in use
   cl_kernel Kernel = nullptr;       // the session's
   std::string KernelDefines;        // that it was specialised with
@@ -63,7 +73,8 @@ private:
   OpenClScene Data;
   OpenClMemory Depth; // of opaque geometry, as large as the viewport
   cl_int DepthWidth = 0;
-  OpenClMemory Result; // the part that was cast, row by row
+  OpenClMemory Target; // the picture's texture, where it is shared
+  OpenClMemory Result; // else the part that was cast, row by row
   GlTexture Picture;   // as large as the box on the screen
   glm::ivec2 PictureSize{ 0 };
   double CompileMs = std::numeric_limits<double>::quiet_NaN();
