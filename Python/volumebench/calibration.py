@@ -37,11 +37,14 @@ def load_calibration(path: Path) -> dict[str, Any]:
     document = read_json(path)
     check_schema(document, "calibration_schema.json", path)
     ceilings: dict[str, dict[str, float]] = {}
+    look_ups: dict[str, float] = {}
     for row in document["fetches"]:
+        rate = row["per_second"]["median"]
         if row["kind"] == "trilinear":
             formats = ceilings.setdefault(row["path"], {})
-            rate = row["per_second"]["median"]
             formats[row["format"]] = max(rate, formats.get(row["format"], 0))
+        elif row["kind"] == "table":
+            look_ups[row["path"]] = max(rate, look_ups.get(row["path"], 0))
     context = document["context"]
     return {
         "date": context["date"],
@@ -49,6 +52,7 @@ def load_calibration(path: Path) -> dict[str, Any]:
         "opencl_device": context["opencl_device"],
         "opencl_device_type": document["opencl_device_type"],
         "samples_per_second": ceilings,
+        "look_ups_per_second": look_ups,
     }
 
 
@@ -83,10 +87,26 @@ def ceiling_of(context: Context, record: Record) -> float | None:
     """Return the samples a second that the path of a row could fetch at most, if known."""
     if context.calibration is None:
         return None
-    path = _CEILING_PATHS.get(record.technique)
+    return _rate_of(context.calibration, _path_of(context, record), record)
+
+
+def _path_of(context: Context, record: Record) -> str | None:
     if record.technique == "opencl":
-        path = _opencl_path(context.calibration, record)
-    return _rate_of(context.calibration, path, record)
+        return _opencl_path(context.calibration, record)
+    return _CEILING_PATHS.get(record.technique)
+
+
+def sample_ceiling_of(context: Context, record: Record) -> float | None:
+    """Return the samples a second at most if each also looks its colour up in a table, if known.
+
+    A trilinear fetch and a look-up cannot be done in less than both take where nothing else is done.
+    """
+    ceiling = ceiling_of(context, record)
+    if ceiling is None:
+        return None
+    look_ups = context.calibration.get("look_ups_per_second", {})
+    look_up = look_ups.get(_path_of(context, record))
+    return look_up and 1 / (1 / ceiling + 1 / look_up)
 
 
 def native_ceiling_of(context: Context, record: Record) -> float | None:
@@ -131,6 +151,7 @@ def ceiling_table(context: Context, records: list[Record]) -> Table | None:
     rows = []
     for record in records:
         ceiling = ceiling_of(context, record)
+        sample = sample_ceiling_of(context, record)
         native = native_ceiling_of(context, record)
         rate = million_samples_per_second(record)
         if ceiling is None or rate is None:
@@ -141,13 +162,16 @@ def ceiling_table(context: Context, records: list[Record]) -> Table | None:
                 number(rate, ".0f"),
                 number(ceiling / 1e6, ".0f"),
                 number(1e8 * rate / ceiling, ".1f", " %"),
+                number(sample and sample / 1e6, ".0f"),
+                number(sample and 1e8 * rate / sample, ".1f", " %"),
                 number(native and native / 1e6, ".0f"),
                 number(native and 1e8 * rate / native, ".1f", " %"),
             )
         )
     header = ("scene", "path", "technique", "sampling")
-    header += ("Msamples/s", "ceiling", "share", "native ceiling", "share of it")
-    title = "Samples a second against what the device can fetch (a sample is one trilinear fetch)"
+    header += ("Msamples/s", "ceiling of fetches", "share")
+    header += ("ceiling with table", "share of it", "native ceiling", "share of that")
+    title = "Samples a second against what the device can fetch (a sample: one trilinear fetch)"
     return Table(title, header, tuple(rows), 4) if rows else None
 
 

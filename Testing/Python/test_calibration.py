@@ -11,6 +11,7 @@ from volumebench.calibration import (
     load_calibration,
     native_ceiling_of,
     profile_table,
+    sample_ceiling_of,
     with_calibration,
 )
 from volumebench.errors import BenchError
@@ -58,6 +59,7 @@ def calibration_document():
             fetches("gl-fragment", "trilinear", "R16", 256, 1e9),
             fetches("gl-fragment", "trilinear", "R32F", 16, 2e9),
             fetches("gl-fragment", "texel", "R8", 16, 9e9),
+            fetches("gl-fragment", "table", "RGBA32F", 1024, 12e9),
             fetches("gl-compute", "trilinear", "R16", 16, 5e9),
             fetches("cpu", "trilinear", "R16", 16, 6e9),
             fetches("cpu-pairs", "trilinear", "R16", 16, 8e9),
@@ -100,6 +102,16 @@ def test_the_ceiling_is_the_highest_trilinear_rate(context):
         "opencl-buffers": {"R16": 1e9},
         "opencl-images": {"R16": 0.5e9},
     }
+
+
+def test_a_sample_with_a_look_up_takes_the_time_of_both(context, study):
+    def ceiling(technique):
+        return sample_ceiling_of(context, row_of(study, technique, "uint8", 1, 1))
+
+    assert ceiling("single-pass") == pytest.approx(3e9)
+    assert ceiling("compute") is None  # its look-ups were not measured
+    bare = replace(context, calibration=None)
+    assert sample_ceiling_of(bare, row_of(study, "slices", "uint8", 1, 1)) is None
 
 
 def test_each_row_has_the_ceiling_of_its_path_and_format(context, study):
@@ -150,13 +162,14 @@ def test_calibrations_of_before_there_were_others_have_their_ceilings(context, s
     rates = context.calibration["samples_per_second"]
     for path in [name for name in rates if not name.startswith("gl-")]:
         del rates[path]
+    del context.calibration["look_ups_per_second"]
     del context.calibration["opencl_device"], context.calibration["opencl_device_type"]
     single = row_of(study, "single-pass", "uint8", 2_000_000, 2)
     assert ceiling_of(context, single) == 4e9
     assert ceiling_of(context, row_of(study, "opencl", "uint8", 1, 1)) is None
     assert ceiling_table(context, [single]).rows[0][4:] == (
         *("1000", "4000", "25.0 %"),
-        *("-", "-"),
+        *("-", "-", "-", "-"),
     )
 
 
@@ -180,9 +193,9 @@ def test_the_table_tells_the_share(context, study):
         row_of(study, "single-pass", "uint8", None, 2),
     ]
     table = ceiling_table(context, records)
-    assert [row[4:] for row in table.rows] == [("1000", "4000", "25.0 %", "-", "-")]
+    assert [row[4:] for row in table.rows] == [("1000", "4000", "25.0 %", "3000", "33.3 %", "-", "-")]
     table = ceiling_table(context, [row_of(study, "opencl", "uint8", 2_000_000, 4)])
-    assert table.rows[0][4:] == ("500", "1000", "50.0 %", "8000", "6.2 %")
+    assert table.rows[0][4:] == ("500", "1000", "50.0 %", "-", "-", "8000", "6.2 %")
     assert ceiling_table(Context(), records) is None
 
 
