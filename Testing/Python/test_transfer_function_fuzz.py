@@ -1,6 +1,7 @@
 """Damaged transfer functions: a function or one line that names the file, never anything else.
 
-As many files of each kind as the environment variable VOLUMEBENCH_FUZZ_FILES says, 400 without it.
+As many files of each kind as the environment variable VOLUMEBENCH_FUZZ_FILES says, 400 without it;
+10000 among the long tests.
 """
 
 import json
@@ -72,13 +73,14 @@ def read_all(kind: str, path: Path) -> list[TransferFunction]:
     return [read_tfi(path)] if kind == "tfi" else read_presets(path)
 
 
+@pytest.mark.parametrize("count", [COUNT, pytest.param(10000, marks=pytest.mark.long)])
 @pytest.mark.parametrize("kind", ["tfi", "json"])
-def test_damaged_files_are_read_or_refused(kind, tmp_path):
+def test_damaged_files_are_read_or_refused(kind, count, tmp_path):
     numbers = random.Random(20153)
     files = good_files(kind)
     path = tmp_path / f"damaged.{kind}"
     refused = 0
-    for _ in range(COUNT):
+    for _ in range(count):
         path.write_bytes(damaged(numbers.choice(files), numbers))
         try:
             functions = read_all(kind, path)
@@ -89,5 +91,5 @@ def test_damaged_files_are_read_or_refused(kind, tmp_path):
             assert "\n" not in told and len(told) < len(str(path)) + 400
         else:
             check_sound(functions, tmp_path)
-    print(f"{kind}: {refused} of {COUNT} files refused")
-    assert 0.2 * COUNT < refused < COUNT
+    print(f"{kind}: {refused} of {count} files refused")
+    assert 0.2 * count < refused < count
