@@ -116,7 +116,7 @@ CudaProgram CompileCuda(const std::string& entry, const std::string& defines, in
   result.Log = program.Log();
   if (!compiled)
   {
-    throw KernelError("CUDA kernel " + entry + " does not compile:\n" + result.Log);
+    throw KernelError("CUDA kernel " + entry + " does not compile: " + OneLine(result.Log));
   }
   result.Code = program.Code(machine);
   return result;

@@ -17,6 +17,10 @@
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/vec3.hpp>
 
+#include <algorithm>
+#include <cmath>
+#include <new>
+
 vtkStandardNewMacro(vtkVolumeBenchMapper);
 
 struct vtkVolumeBenchMapper::Internals
@@ -86,6 +90,12 @@ void vtkVolumeBenchMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
   {
     failure = error.what();
     aborted = true;
+  }
+  catch (const std::bad_alloc&)
+  {
+    failure = "this machine has not enough memory to draw " +
+      std::to_string(this->GetDataObjectInput()->GetNumberOfElements(vtkDataObject::POINT)) +
+      " points with technique '" + this->Technique + "'";
   }
   catch (const std::exception& error)
   {
@@ -208,7 +218,16 @@ double* vtkVolumeBenchMapper::GetBounds()
   auto* composite = vtkCompositeDataSet::SafeDownCast(this->GetDataObjectInput());
   if (!composite)
   {
-    return this->Superclass::GetBounds();
+    double* bounds = this->Superclass::GetBounds();
+    // VTK leaves out what has such bounds, and nobody would say why; nor should cameras follow
+    // them.
+    if (bounds &&
+      !std::all_of(bounds, bounds + 6, [](double bound) { return std::isfinite(bound); }))
+    {
+      vtkMath::UninitializeBounds(this->Bounds);
+      return this->Bounds;
+    }
+    return bounds;
   }
   this->Update();
   vtkBoundingBox box;

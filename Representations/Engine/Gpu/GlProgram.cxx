@@ -51,7 +51,7 @@ GLuint CompileStage(const GlStageText& stage)
   {
     const std::string log = NameFilesInLog(ShaderLog(shader), stage.Text.Files);
     glDeleteShader(shader);
-    throw KernelError("a kernel does not compile:\n" + log);
+    throw KernelError("a kernel does not compile: " + OneLine(log));
   }
   return shader;
 }
@@ -82,7 +82,7 @@ void GlProgram::Build(const std::vector<GlStageText>& stages)
   {
     const std::string log = ProgramLog(program);
     glDeleteProgram(program);
-    throw KernelError("the kernels do not link:\n" + log);
+    throw KernelError("the kernels do not link: " + OneLine(log));
   }
   this->Handle = program;
 }

@@ -125,4 +125,20 @@ std::string NameFilesInLog(const std::string& log, const std::vector<std::string
   }
   return result;
 }
+
+std::string OneLine(const std::string& log)
+{
+  constexpr std::size_t Longest = 300;
+  std::istringstream lines(log);
+  std::string result;
+  std::string line;
+  while (std::getline(lines, line))
+  {
+    if (line.find_first_not_of(" \t\r") != std::string::npos)
+    {
+      result += (result.empty() ? "" : "; ") + line;
+    }
+  }
+  return result.size() > Longest ? result.substr(0, Longest) + " ..." : result;
+}
 }

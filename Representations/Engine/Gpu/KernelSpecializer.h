@@ -48,6 +48,9 @@ VOLUMEBENCHENGINE_EXPORT KernelText SpecializeKernel(const std::string& entry,
 VOLUMEBENCHENGINE_EXPORT std::string NameFilesInLog(
   const std::string& log, const std::vector<std::string>& files);
 
+/// The lines of a log that are not empty as one, as messages are; cut where it grows long.
+VOLUMEBENCHENGINE_EXPORT std::string OneLine(const std::string& log);
+
 /// The kernels embedded in this library.
 VOLUMEBENCHENGINE_EXPORT const char* EmbeddedKernel(const std::string& path);
 VOLUMEBENCHENGINE_EXPORT std::vector<std::string> EmbeddedKernelPaths();

@@ -1,6 +1,7 @@
 #include "Gpu/OffscreenTarget.h"
 
 #include "Gpu/GlContextGuard.h"
+#include "Gpu/GlRoom.h"
 #include "Scene/Scene.h"
 
 #include "vtkOpenGLRenderWindow.h"
@@ -35,20 +36,16 @@ void OffscreenTarget::Resize(glm::ivec2 size, unsigned int internalFormat)
   }
   this->Texture.Bind(GL_TEXTURE_2D);
   this->Texture.SetSampling(false);
-  while (glGetError() != GL_NO_ERROR)
-  {
-  }
+  ForgetGlErrors();
   glTexImage2D(GL_TEXTURE_2D, 0, internalFormat, size.x, size.y, 0, GL_RGBA, GL_FLOAT, nullptr);
-  const GLenum error = glGetError();
   this->Texture.Unbind();
-  this->Size = error == GL_NO_ERROR ? size : glm::ivec2(0);
+  this->Size = glm::ivec2(0);
+  this->Bytes = 0;
+  CheckGlRoom(
+    "a picture of " + std::to_string(size.x) + " x " + std::to_string(size.y) + " pixels");
+  this->Size = size;
   this->Format = internalFormat;
-  this->Bytes = BytesPerTexel(internalFormat) * this->Size.x * this->Size.y;
-  if (error != GL_NO_ERROR)
-  {
-    throw SceneError("the device has no room for a picture of " + std::to_string(size.x) + " x " +
-      std::to_string(size.y) + " pixels (OpenGL error " + std::to_string(error) + ")");
-  }
+  this->Bytes = BytesPerTexel(internalFormat) * size.x * size.y;
 }
 
 void OffscreenTarget::Bind(

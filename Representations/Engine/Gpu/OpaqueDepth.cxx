@@ -1,9 +1,12 @@
 #include "Gpu/OpaqueDepth.h"
 
+#include "Gpu/GlRoom.h"
+
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtk_glew.h"
 
+#include <string>
 #include <vector>
 
 namespace volumebench
@@ -65,6 +68,12 @@ void OpaqueDepth::Capture(vtkOpenGLRenderWindow* window, const glm::ivec4& viewp
   }
   this->Texture.Bind(GL_TEXTURE_2D);
   this->Texture.SetSampling(false);
+  const glm::ivec2 size(viewport.z, viewport.w);
+  const bool other = size != this->Size;
+  if (other)
+  {
+    ForgetGlErrors();
+  }
   if (!exists)
   {
     const std::vector<float> far(static_cast<std::size_t>(viewport.z) * viewport.w, 1.0f);
@@ -79,6 +88,12 @@ void OpaqueDepth::Capture(vtkOpenGLRenderWindow* window, const glm::ivec4& viewp
   }
   this->Texture.Unbind();
   state->PopReadFramebufferBinding();
+  if (other) // asking at every frame would wait for the driver
+  {
+    this->Size = glm::ivec2(0);
+    CheckGlRoom("depths of " + std::to_string(size.x) + " x " + std::to_string(size.y) + " pixels");
+    this->Size = size;
+  }
 }
 
 std::vector<float> OpaqueDepth::Read(const glm::ivec4& viewport)
@@ -127,5 +142,6 @@ void OpaqueDepth::Forget()
 {
   this->Texture.Forget();
   this->ResolveFramebuffer = this->ResolveBuffer = 0;
+  this->Size = glm::ivec2(0);
 }
 }

@@ -4,6 +4,7 @@
 
 #include "Gpu/GlTexture.h"
 
+#include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 
 #include <vector>
@@ -16,7 +17,8 @@ class OpaqueDepth
 {
 public:
   /// Copies the depth of `viewport` (x, y, width, height) from the bound draw framebuffer;
-  /// multisampled framebuffers are resolved. Without a depth buffer every texel is 1.
+  /// multisampled framebuffers are resolved. Without a depth buffer every texel is 1. Throws
+  /// SceneError when the device has no room for the copy.
   void Capture(vtkOpenGLRenderWindow* window, const glm::ivec4& viewport);
 
   /// What was captured, row by row from the bottom.
@@ -30,6 +32,7 @@ private:
   void Resolve(const glm::ivec4& viewport, int drawFramebuffer);
 
   GlTexture Texture;
+  glm::ivec2 Size{ 0 }; // for which there has been room
   unsigned int ResolveFramebuffer = 0;
   unsigned int ResolveBuffer = 0;
 };

@@ -1,5 +1,6 @@
 #include "Gpu/SceneBuffer.h"
 
+#include "Gpu/GlRoom.h"
 #include "Gpu/KernelPrograms.h"
 #include "Scene/PackScene.h"
 
@@ -17,13 +18,27 @@ void SceneBuffer::Bind(const Scene& scene)
 {
   this->Numbers = PackScene(scene);
   const SceneBlock block = RoundToFloat(this->Numbers);
-  if (!this->Block)
+  const bool first = !this->Block;
+  if (first)
   {
     glGenBuffers(1, &this->Block);
     glGenVertexArrays(1, &this->VertexArray);
+    ForgetGlErrors();
   }
   glBindBuffer(GL_UNIFORM_BUFFER, this->Block);
   glBufferData(GL_UNIFORM_BUFFER, sizeof(block), &block, GL_STREAM_DRAW);
+  if (first) // asking at every frame would wait for the driver
+  {
+    try
+    {
+      CheckGlRoom("the numbers of a scene");
+    }
+    catch (...)
+    {
+      this->Release();
+      throw;
+    }
+  }
   glBindBufferBase(GL_UNIFORM_BUFFER, KernelPrograms::SceneBinding, this->Block);
 }
 

@@ -2,12 +2,12 @@
 
 #include "Gpu/DeviceTables.h"
 #include "Gpu/GlContextGuard.h"
+#include "Gpu/GlRoom.h"
 #include "Gpu/VolumeUpload.h"
 #include "Scene/CellMap.h"
 #include "Stopwatch.h"
 
 #include "vtk_glew.h"
-
 
 namespace volumebench
 {
@@ -48,13 +48,6 @@ std::size_t UploadLine(
   return channels * sizeof(float) * static_cast<std::size_t>(width);
 }
 
-void DrainErrors()
-{
-  while (glGetError() != GL_NO_ERROR)
-  {
-  }
-}
-
 void CheckSize(const volumebench::Volume& volume)
 {
   const int limit = ReadGlLimits().Texture3d;
@@ -69,14 +62,9 @@ void CheckSize(const volumebench::Volume& volume)
   }
 }
 
-void CheckMemory(std::size_t bytes)
+void CheckRoom(const char* what, std::size_t bytes)
 {
-  const GLenum error = glGetError();
-  if (error != GL_NO_ERROR)
-  {
-    throw SceneError("the device has no room for a volume of " + std::to_string(bytes) +
-      " bytes (OpenGL error " + std::to_string(error) + ")");
-  }
+  CheckGlRoom(std::string(what) + " of " + std::to_string(bytes) + " bytes");
 }
 }
 
@@ -103,7 +91,10 @@ void SceneTextures::Update(const Scene& scene, const FeatureSet& features)
     TablesOf(features) != this->TableFeatures || !this->Table.IsCreated())
   {
     const Stopwatch watch;
+    this->TableStamp = 0; // until all is sent
+    ForgetGlErrors();
     this->UpdateTables(scene.TransferFunction, features);
+    CheckRoom("tables of the transfer functions", this->TableBytes);
     this->TablesMs = watch.ElapsedMs();
     this->TableStamp = scene.TransferFunction.Stamp;
     this->TableFeatures = TablesOf(features);
@@ -127,17 +118,18 @@ void SceneTextures::UpdateCells(const Skipping& skipping, const FeatureSet& feat
     return;
   }
   const Stopwatch watch;
+  this->CellStamp = 0; // until all is sent
   const bool extremes = !map.Extremes.empty();
   this->Cells.Bind(GL_TEXTURE_3D);
   this->Cells.SetSampling(false);
-  DrainErrors();
+  ForgetGlErrors();
   glTexImage3D(GL_TEXTURE_3D, 0, extremes ? GL_R32F : GL_R16UI, map.Cells.x, map.Cells.y,
     map.Cells.z, 0, extremes ? GL_RED : GL_RED_INTEGER, extremes ? GL_FLOAT : GL_UNSIGNED_SHORT,
     extremes ? static_cast<const void*>(map.Extremes.data()) : map.Codes.data());
   this->Cells.Unbind();
   this->CellBytes =
     extremes ? map.Extremes.size() * sizeof(float) : map.Codes.size() * sizeof(std::uint16_t);
-  CheckMemory(this->CellBytes);
+  CheckRoom("the grid of macrocells", this->CellBytes);
   this->CellStamp = map.Stamp;
   this->GridMs = skipping.GridMs + watch.ElapsedMs();
 }
@@ -153,14 +145,14 @@ void SceneTextures::UpdateVolume(const volumebench::Volume& volume)
   this->VolumeBytes = 0;
   this->Volume.Bind(GL_TEXTURE_3D);
   this->Volume.SetSampling(!volume.Nearest);
-  DrainErrors();
+  ForgetGlErrors();
   glTexImage3D(GL_TEXTURE_3D, 0, format.Internal, volume.Texels.x, volume.Texels.y, volume.Texels.z,
     0, format.External, format.Type, nullptr);
   try
   {
-    CheckMemory(bytes);
+    CheckRoom("a volume", bytes);
     this->UploadSlabs(volume);
-    CheckMemory(bytes);
+    CheckRoom("a volume", bytes);
   }
   catch (...)
   {
@@ -194,11 +186,11 @@ void SceneTextures::UpdateBlanking(const volumebench::Volume& volume)
   const std::vector<std::uint8_t> grid = BlankingGrid(volume);
   this->Blanking.Bind(GL_TEXTURE_3D);
   this->Blanking.SetSampling(false);
-  DrainErrors();
+  ForgetGlErrors();
   glTexImage3D(GL_TEXTURE_3D, 0, GL_R8UI, volume.Texels.x + 1, volume.Texels.y + 1,
     volume.Texels.z + 1, 0, GL_RED_INTEGER, GL_UNSIGNED_BYTE, grid.data());
   this->Blanking.Unbind();
-  CheckMemory(grid.size());
+  CheckRoom("the grid of hidden cells", grid.size());
   this->BlankingBytes = grid.size();
 }
 

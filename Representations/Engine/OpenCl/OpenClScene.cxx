@@ -211,6 +211,7 @@ void OpenClScene::UpdateCells(const Skipping& skipping)
     return;
   }
   const Stopwatch watch;
+  this->CellStamp = 0; // until all is sent
   if (blocks)
   {
     SendAll(this->Cells, *this->Session, BlocksOfCells(map));

@@ -111,7 +111,7 @@ cl_kernel OpenClSession::KernelOf(const KernelText& text, const char* name)
     const std::string log = BuildLog(program, this->Device.Id);
     cl.ReleaseProgram(program);
     throw KernelError("OpenCL device '" + this->Device.Name + "' does not compile " +
-      text.Files.front() + ":\n" + log);
+      text.Files.front() + ": " + OneLine(log));
   }
   cl_kernel kernel = cl.CreateKernel(program, name, &status);
   cl.ReleaseProgram(program); // the kernel keeps it

@@ -126,7 +126,9 @@ std::size_t StoredFunction::PieceOf(double stored) const
 
 inline glm::dvec4 StoredFunction::InPolynomial(const Piece& piece, double stored) const
 {
-  const double position = (stored - piece.Begin) * piece.PerStored;
+  // A value that rounding takes out of a narrow piece may lie many times its width away.
+  const double position =
+    std::clamp((stored - piece.Begin) * piece.PerStored, 0.0, static_cast<double>(piece.Count));
   const int part = std::clamp(static_cast<int>(position), 0, piece.Count - 1);
   const double x = 2.0 * (position - part) - 1.0;
   const Polynomial& p = this->Polynomials[piece.First + part];

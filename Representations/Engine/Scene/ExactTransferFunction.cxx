@@ -131,7 +131,9 @@ glm::dvec4 ExactTransferFunction::SampleOf(const Piece& piece, double value) con
   {
     return samples[0];
   }
-  const double share = (value - piece.Begin) / piece.Span;
+  // A value that rounding takes out of a narrow piece may lie many times its width away.
+  const double share =
+    std::clamp((value - piece.Begin) / piece.Span, -2.0 * EndShare, 1.0 + 2.0 * EndShare);
   if (piece.Cubics == 0)
   {
     return samples[0] + share * (samples[1] - samples[0]);

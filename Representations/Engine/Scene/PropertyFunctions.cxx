@@ -1,10 +1,14 @@
 #include "Scene/PropertyFunctions.h"
 
+#include "Scene/NumberText.h"
+
 #include "vtkColorTransferFunction.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
+#include <cmath>
+#include <string>
 
 namespace volumebench
 {
@@ -42,6 +46,41 @@ std::vector<Point> PointsOf(vtkColorTransferFunction* function)
   return points;
 }
 
+template <int Numbers, typename Function>
+void CheckFinite(Function* function, const std::string& name)
+{
+  double node[Numbers];
+  for (int i = 0; i < function->GetSize(); ++i)
+  {
+    function->GetNodeValue(i, node);
+    if (!std::all_of(node, node + Numbers, [](double number) { return std::isfinite(number); }))
+    {
+      throw SceneError("the " + name + " function has a point that is not finite: number " +
+        std::to_string(i + 1) + " of " + std::to_string(function->GetSize()) + ", at " +
+        NumberText(node[0]));
+    }
+  }
+}
+
+// Colours beyond 0 to 1 make pixels beyond them, which the compositing of several ranks takes as
+// they are.
+void CheckColors(vtkColorTransferFunction* function)
+{
+  constexpr double Rounding = 1.0e-6;
+  double node[6];
+  for (int i = 0; i < function->GetSize(); ++i)
+  {
+    function->GetNodeValue(i, node);
+    if (std::any_of(node + 1, node + 4,
+          [](double share) { return share < -Rounding || share > 1.0 + Rounding; }))
+    {
+      throw SceneError(
+        "the colour function has a colour that is not from 0 to 1: " + NumberText(node[1]) + ", " +
+        NumberText(node[2]) + ", " + NumberText(node[3]) + " at " + NumberText(node[0]));
+    }
+  }
+}
+
 std::set<double> ValuesOf(const std::vector<Point>& points)
 {
   std::set<double> values;
@@ -66,6 +105,11 @@ void AddMidpoints(const std::vector<Point>& points, std::set<double>& knots)
 }
 }
 
+void CheckPoints(vtkPiecewiseFunction* function, const char* name)
+{
+  CheckFinite<4>(function, name);
+}
+
 PropertyFunctions::PropertyFunctions(vtkVolumeProperty* property)
   : Opacity(property->GetScalarOpacity(0))
 {
@@ -84,6 +128,16 @@ PropertyFunctions::PropertyFunctions(vtkVolumeProperty* property)
   if ((this->Color ? this->Color->GetSize() : this->Gray->GetSize()) < 1)
   {
     throw SceneError("the colour function has no points");
+  }
+  CheckPoints(this->Opacity, "opacity");
+  if (this->Color)
+  {
+    CheckFinite<6>(this->Color, "colour");
+    CheckColors(this->Color);
+  }
+  else
+  {
+    CheckPoints(this->Gray, "colour");
   }
 }
 

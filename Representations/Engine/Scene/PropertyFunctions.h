@@ -15,10 +15,14 @@ class vtkVolumeProperty;
 
 namespace volumebench
 {
+/// Throws SceneError that begins "the NAME function" when a number of a point is not finite.
+void CheckPoints(vtkPiecewiseFunction* function, const char* name);
+
 class PropertyFunctions
 {
 public:
-  /// Of component 0. Throws SceneError when a function has no points.
+  /// Of component 0. Throws SceneError when a function has no points, or one that is not
+  /// finite or of no colour.
   explicit PropertyFunctions(vtkVolumeProperty* property);
 
   /// Whether values outside the points take the value at the nearest of them.

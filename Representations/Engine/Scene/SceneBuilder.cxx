@@ -2,12 +2,14 @@
 
 #include "Scene/CameraBuilder.h"
 #include "Scene/CellMap.h"
+#include "Scene/CheckScene.h"
 #include "Scene/FieldChanges.h"
 #include "Scene/FromVtk.h"
 #include "Scene/KernelScene.h"
 #include "Scene/Features.h"
 #include "Scene/Majorant.h"
 #include "Scene/HomogeneousCells.h"
+#include "Scene/NumberText.h"
 #include "Scene/PrefixTable.h"
 #include "Scene/StepLengths.h"
 #include "Scene/WorkGroup.h"
@@ -99,18 +101,18 @@ Sampling BuildSampling(vtkVolumeBenchMapper* mapper)
   }
   if (!(sampling.StepVoxels >= SmallestStepVoxels) || !std::isfinite(sampling.StepVoxels))
   {
-    throw SceneError("the step is " + std::to_string(sampling.StepVoxels) +
-      " voxels; it must be at least " + std::to_string(SmallestStepVoxels));
+    throw SceneError("the step is " + NumberText(sampling.StepVoxels) +
+      " voxels; it must be at least " + NumberText(SmallestStepVoxels));
   }
   if (!(sampling.TerminationThreshold >= 0.0 && sampling.TerminationThreshold < 1.0))
   {
-    throw SceneError("the termination threshold is " +
-      std::to_string(sampling.TerminationThreshold) + "; it must be in [0, 1)");
+    throw SceneError("the termination threshold is " + NumberText(sampling.TerminationThreshold) +
+      "; it must be in [0, 1)");
   }
   sampling.ErrorTarget = mapper->GetErrorTarget();
   if (!(sampling.ErrorTarget >= 0.0 && sampling.ErrorTarget <= 1.0))
   {
-    throw SceneError("the error target is " + std::to_string(sampling.ErrorTarget) +
+    throw SceneError("the error target is " + NumberText(sampling.ErrorTarget) +
       "; it must be in [0, 1], where 0 takes all steps alike");
   }
   if (sampling.JitterSeed < 0 || sampling.JitterSeed > MostJitterSeed)
@@ -376,6 +378,7 @@ Scene SceneBuilder::Build(vtkVolumeBenchMapper* mapper, vtkRenderer* renderer, v
   scene.Lighting = BuildLighting(renderer, property);
   scene.Lighting.Damping = mapper->GetLightingDamping();
   scene.Clip = BuildClip(mapper, renderer);
+  CheckScene(scene);
   scene.Sampling.StepsMayVary = target.StepsMayVary;
   this->BuildSkipping(scene);
   return scene;

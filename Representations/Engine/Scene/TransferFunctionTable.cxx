@@ -1,6 +1,7 @@
 #include "Scene/TransferFunctionTable.h"
 
 #include "Scene/ExactTransferFunction.h"
+#include "Scene/NumberText.h"
 #include "Scene/PropertyFunctions.h"
 
 #include "vtkPiecewiseFunction.h"
@@ -133,6 +134,7 @@ void FillGradientTable(vtkVolumeProperty* property, TransferFunction& result)
   {
     return;
   }
+  CheckPoints(function, "gradient opacity");
   function->GetRange(result.GradientLow, result.GradientHigh);
   if (!(result.GradientHigh > result.GradientLow))
   {
@@ -162,7 +164,7 @@ double CheckedUnitDistance(vtkVolumeProperty* property)
   if (!(unitDistance > 0.0) || !std::isfinite(unitDistance))
   {
     throw SceneError(
-      "the scalar opacity unit distance is " + std::to_string(unitDistance) + ", not positive");
+      "the scalar opacity unit distance is " + NumberText(unitDistance) + ", not positive");
   }
   return unitDistance;
 }

@@ -1,5 +1,6 @@
 #include "Scene/VolumeBuilder.h"
 
+#include "Scene/CheckScene.h"
 #include "Scene/FromVtk.h"
 
 #include "vtkDataArray.h"
@@ -88,14 +89,7 @@ void CheckGrid(vtkImageData* image, Centering center)
     throw SceneError("the image is one point thick (" + Dimensions(dims) + " points)" +
       (center == Centering::Point ? ": it has no volume to draw" : ": it has no cells to draw"));
   }
-  for (const double spacing :
-    { image->GetSpacing()[0], image->GetSpacing()[1], image->GetSpacing()[2] })
-  {
-    if (!(std::abs(spacing) > 0.0) || !std::isfinite(spacing))
-    {
-      throw SceneError("the image has a spacing of " + std::to_string(spacing));
-    }
-  }
+  CheckPlaceOf(image);
 }
 
 // Point data: the box reaches from the first to the last texel. Cell data: half a texel further.
@@ -135,6 +129,17 @@ void ChooseChannels(Volume& volume, const ChannelRequest& request)
       " components; component " + std::to_string(request.Component) + " was asked for");
   }
   volume.Component = components == 1 ? 0 : request.Component;
+}
+
+// An array of ghosts that does not fit its grid tells of other points or cells.
+void CheckGhosts(vtkUnsignedCharArray* ghosts, vtkIdType expected, const char* what)
+{
+  if (ghosts && ghosts->GetNumberOfTuples() != expected)
+  {
+    throw SceneError("the array '" + std::string(vtkDataSetAttributes::GhostArrayName()) +
+      "' has " + std::to_string(ghosts->GetNumberOfTuples()) + " values for " +
+      std::to_string(expected) + " " + what);
+  }
 }
 
 bool AnyHas(vtkUnsignedCharArray* ghosts, unsigned char bits)
@@ -191,6 +196,8 @@ VolumeBuilder::Findings VolumeBuilder::Look(const Volume& volume, vtkImageData* 
   }
   vtkUnsignedCharArray* points = image->GetPointGhostArray();
   vtkUnsignedCharArray* cells = image->GetCellGhostArray();
+  CheckGhosts(points, image->GetNumberOfPoints(), "points");
+  CheckGhosts(cells, image->GetNumberOfCells(), "cells");
   found.HiddenPoints = points && AnyHas(points, HiddenPointBits);
   found.HiddenCells = cells && AnyHas(cells, HiddenCellBits);
   return found;

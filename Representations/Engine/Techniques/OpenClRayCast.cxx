@@ -1,5 +1,6 @@
 #include "Techniques/OpenClRayCast.h"
 
+#include "Gpu/GlRoom.h"
 #include "Scene/PackScene.h"
 #include "Scene/WorkGroup.h"
 #include "Stopwatch.h"
@@ -234,7 +235,11 @@ void OpenClRayCast::Draw(
   if (this->PictureSize != glm::ivec2(box.z, box.w))
   {
     this->Picture.SetSampling(false);
+    this->PictureSize = glm::ivec2(0);
+    ForgetGlErrors();
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, box.z, box.w, 0, GL_RGBA, GL_FLOAT, nullptr);
+    CheckGlRoom(
+      "a picture of " + std::to_string(box.z) + " x " + std::to_string(box.w) + " pixels");
     this->PictureSize = { box.z, box.w };
     this->Target.Release();
   }

@@ -1,6 +1,8 @@
 #include "Techniques/OpenGlTechnique.h"
 
 #include "Gpu/GlContextGuard.h"
+#include "Scene/CheckScene.h"
+#include "Scene/NumberText.h"
 #include "Scene/PackScene.h"
 
 #include "vtkOpenGLRenderWindow.h"
@@ -19,6 +21,19 @@ GLenum FrontFacesOf(const Scene& scene)
 {
   return glm::determinant(glm::dmat3(scene.Volume.VoxelToWorld)) > 0.0 ? GL_FRONT : GL_BACK;
 }
+
+class Unbinding
+{
+public:
+  Unbinding() = default;
+  ~Unbinding()
+  {
+    GlProgram::Unbind();
+    SceneBuffer::Unbind();
+  }
+  Unbinding(const Unbinding&) = delete;
+  Unbinding& operator=(const Unbinding&) = delete;
+};
 }
 
 void OpenGlTechnique::Prepare(const Scene& scene, vtkOpenGLRenderWindow* window)
@@ -29,8 +44,12 @@ void OpenGlTechnique::Prepare(const Scene& scene, vtkOpenGLRenderWindow* window)
   this->HostGridMs = scene.Skipping.GridMs;
   if (Has(this->Features, Feature::Compensation) && LongestRaySteps(scene) > MostSteps)
   {
-    throw SceneError("the step of " + std::to_string(scene.Sampling.StepVoxels) +
+    throw SceneError("the step of " + NumberText(scene.Sampling.StepVoxels) +
       " voxels makes more than " + std::to_string(MostSteps) + " steps along a ray");
+  }
+  if (this->ReadsTexels())
+  {
+    CheckTexels(scene);
   }
   if (!Has(this->Features, Feature::OpaqueDepth))
   {
@@ -62,10 +81,9 @@ void OpenGlTechnique::Render(const Scene& scene, vtkOpenGLRenderWindow* window)
     {
       this->Depth.Capture(window, scene.Camera.Viewport);
     }
+    const Unbinding afterwards; // however drawing ends
     this->Numbers.Bind(scene);
     this->Draw(scene, window, rectangle);
-    GlProgram::Unbind();
-    SceneBuffer::Unbind();
   }
   this->LastStages = this->Stages.Collect();
 }

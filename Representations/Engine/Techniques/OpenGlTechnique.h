@@ -41,6 +41,9 @@ protected:
   /// Whether the kernels read the volume and its functions from textures; without, none are made.
   virtual bool ReadsTextures() const { return true; }
 
+  /// Whether they read texels at all, which hold 16 or 32 bits of a value.
+  virtual bool ReadsTexels() const { return true; }
+
   /// Whether what the tables show as empty may be left out; not where no table is looked up.
   virtual bool LeavesSpaceOut() const { return true; }
 

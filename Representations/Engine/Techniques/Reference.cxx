@@ -1,5 +1,6 @@
 #include "Techniques/Reference.h"
 
+#include "Gpu/GlRoom.h"
 #include "Scene/FrameRate.h"
 #include "Scene/PackScene.h"
 
@@ -111,9 +112,12 @@ void Reference::Upload()
   }
   this->Texture.Bind(GL_TEXTURE_2D);
   this->Texture.SetSampling(false);
+  ForgetGlErrors();
   glTexImage2D(
     GL_TEXTURE_2D, 0, GL_RGBA32F, rectangle.z, rectangle.w, 0, GL_RGBA, GL_FLOAT, texels.data());
   this->Texture.Unbind();
+  CheckGlRoom("a picture of " + std::to_string(rectangle.z) + " x " + std::to_string(rectangle.w) +
+    " pixels");
 }
 
 void Reference::Draw(const Scene& scene, vtkOpenGLRenderWindow* window, const glm::ivec4& rectangle)

@@ -22,6 +22,7 @@ public:
 protected:
   FeatureSet FeaturesFor(const Scene& scene) const override;
   bool ReadsTextures() const override { return false; }
+  bool ReadsTexels() const override { return false; }
   bool LeavesSpaceOut() const override { return false; }
   void Compile(const Scene& scene) override;
 

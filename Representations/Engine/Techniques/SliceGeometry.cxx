@@ -1,6 +1,7 @@
 #include "Techniques/SliceGeometry.h"
 
 #include "Scene/Features.h"
+#include "Scene/NumberText.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -119,7 +120,7 @@ SlabSeries MakeSeries(
   series.First = extent.Low + before * series.Spacing;
   if (!(after - before <= MostSlabs))
   {
-    throw SceneError("the step of " + std::to_string(scene.Sampling.StepVoxels) +
+    throw SceneError("the step of " + NumberText(scene.Sampling.StepVoxels) +
       " voxels makes more than " + std::to_string(MostSlabs) + " slices");
   }
   series.Count = std::max(0, static_cast<int>(after - before));

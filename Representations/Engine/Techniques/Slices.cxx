@@ -1,5 +1,6 @@
 #include "Techniques/Slices.h"
 
+#include "Gpu/GlRoom.h"
 #include "Scene/CellMap.h"
 #include "Scene/PackScene.h"
 #include "Stopwatch.h"
@@ -148,11 +149,23 @@ void Slices::UploadCorners(const std::vector<SliceCorner>& corners)
     glGenBuffers(1, &this->CornerBuffer);
     glGenVertexArrays(1, &this->CornerArray);
   }
-  this->CornerBytes = corners.size() * sizeof(SliceCorner);
+  const std::size_t bytes = corners.size() * sizeof(SliceCorner);
+  const bool more = bytes > this->CornerBytes;
+  if (more)
+  {
+    ForgetGlErrors();
+  }
+  this->CornerBytes = bytes;
   glBindVertexArray(this->CornerArray);
   glBindBuffer(GL_ARRAY_BUFFER, this->CornerBuffer);
   glBufferData(
     GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(this->CornerBytes), corners.data(), GL_STREAM_DRAW);
+  if (more) // asking at every frame would wait for the driver
+  {
+    this->CornerBytes = 0;
+    CheckGlRoom("the corners of slices, " + std::to_string(bytes) + " bytes");
+    this->CornerBytes = bytes;
+  }
   glVertexAttribPointer(CornerAttribute, 3, GL_FLOAT, GL_FALSE, sizeof(SliceCorner), nullptr);
   glEnableVertexAttribArray(CornerAttribute);
 }
