@@ -24,10 +24,14 @@ from .stability_report import FILE as REPORT_FILE
 from .stability_report import write_stability_report
 from .stability_study import is_stability_study, load_stability_study
 from .study import SCALING, Study
+from .study_cuts import of_datasets, with_frames
 from .study_file import find_study, load_study
 from .summary import unfinished
 from .tables import as_text, text_tables
 from .worker import HANG_LIMIT_S, WorkerSession
+
+
+_NOT_OF_STABILITY = ("data", "datasets", "frames", "resume", "calibration")
 
 
 class _Parser(argparse.ArgumentParser):
@@ -58,6 +62,13 @@ def parse(arguments: list[str] | None) -> argparse.Namespace:
     add("--out", type=Path, metavar="DIR", help="default: Results/NAME")
     add("--data", type=Path, metavar="DIR", help="folder with more volumes")
     add("--techniques", metavar="A,B", help="these techniques in place of the study's")
+    add("--datasets", metavar="A,B", help="these volumes of the study alone")
+    add(
+        "--frames",
+        type=_frames,
+        metavar="N",
+        help="one turn of so many frames a run, in place of what the study asks for",
+    )
     add(
         "--compare",
         nargs=2,
@@ -94,6 +105,12 @@ def _seconds(text: str) -> float:
     return value
 
 
+def _frames(text: str) -> int:
+    if not text.isdecimal() or not 1 <= int(text) <= 1000000:
+        raise argparse.ArgumentTypeError(f"{text} is not a number of frames")
+    return int(text)
+
+
 def study_of(options: argparse.Namespace) -> Study:
     """Return the study after the cuts of the command line, on the volumes that are here."""
     study = load_study(find_study(options.study))
@@ -101,7 +118,12 @@ def study_of(options: argparse.Namespace) -> Study:
         study = study.only(_names(options.techniques))
     if options.data is not None and not options.data.is_dir():
         raise BenchError(f"--data {options.data}: no such folder")
-    study = with_stand_ins(study.quick() if options.quick else study, options.data)
+    study = study.quick() if options.quick else study
+    if options.datasets is not None:
+        study = of_datasets(study, _names(options.datasets))
+    if options.frames is not None:
+        study = with_frames(study, options.frames)
+    study = with_stand_ins(study, options.data)
     return fitting_memory(study, free_memory_gb())
 
 
@@ -172,9 +194,11 @@ def measure(study: Study, runner: Runner, options: argparse.Namespace) -> bool:
 
 def try_stability(options: argparse.Namespace) -> int:
     """Try the cases of a stability study and write what they show; return the exit code."""
-    if options.data is not None or options.resume or options.calibration is not None:
+    given = vars(options)
+    if any(given[name] not in (None, False) for name in _NOT_OF_STABILITY):
+        options_text = ", ".join(f"--{name}" for name in _NOT_OF_STABILITY)
         raise BenchError(
-            "command line: --data, --resume and --calibration do not apply to a stability study"
+            f"command line: {options_text} do not apply to a stability study"
         )
     study = load_stability_study(find_study(options.study))
     if options.techniques is not None:
@@ -204,7 +228,7 @@ def write_views(
 ) -> None:
     """Write plots and report, and print the table."""
     if study.report != SCALING:  # its scenes differ in size only
-        write_plots(folder, records, bool(study.sweeps))
+        write_plots(folder, records, bool(study.sweeps) and study.paper is None)
     findings = findings_of(study, records, runner.start_rows, folder)
     if findings is not None:
         write_tables(folder, findings)

@@ -60,6 +60,7 @@ class Findings:
     remarks: tuple[str | None, ...]
     how_to_read: str
     figures: tuple[tuple[str, str], ...] = ()
+    tables_first: bool = False
 
     def given_tables(self) -> list[Table]:
         """Return the tables that have rows."""
@@ -129,9 +130,10 @@ def _paper(study: Study, records: list[Record], folder: Path) -> Findings:
     return Findings(
         paper_sentence(study.paper, found),
         tuple(tables),
-        (),
+        study.notes,
         HOW_PAPERS_ARE_READ,
         _written(folder, paper_figures(study, records)),
+        tables_first=True,
     )
 
 
@@ -152,7 +154,7 @@ def write_tables(folder: Path, findings: Findings) -> None:
     for table in findings.given_tables():
         stream = io.StringIO()
         writer = csv.writer(stream, lineterminator="\n")
-        writer.writerows([table.header, *table.rows])
+        writer.writerows([table.full_header(), *table.rows])
         stem = re.sub(r"[^a-z0-9]+", "-", table.title.lower()).strip("-")[:60]
         write_atomically(target / f"{stem}.csv", stream.getvalue())
 

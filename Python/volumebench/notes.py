@@ -63,14 +63,17 @@ def _beside_single_pass(rows: list[Record]) -> list[SlowRow]:
 
 
 def all_notes(study: Study, records: list[Record]) -> list[str]:
-    """Return the notes of the study file, then one for each technique that is slow somewhere."""
+    """Return the notes of the study file, then one for each technique that is slow somewhere.
+
+    Those of a paper's study stand beside its conclusions.
+    """
     slow = slow_rows(records)
     techniques = dict.fromkeys(row.record.technique for row in slow)
     notes = [
         _note([row for row in slow if row.record.technique == technique], records)
         for technique in techniques
     ]
-    return [*study.notes, *notes]
+    return notes if study.paper else [*study.notes, *notes]
 
 
 def _note(slow: list[SlowRow], records: list[Record]) -> str:

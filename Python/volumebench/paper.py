@@ -242,7 +242,7 @@ def _difference(conclusion: dict[str, Any], rows: list[Record]) -> tuple[str, st
 
 
 def _crossover(conclusion: dict[str, Any], rows: list[Record]) -> tuple[str, str]:
-    """The step at which the ratio of two techniques is 1, straight in log-log between steps."""
+    """The step above which `under` is the faster one, straight in log-log between steps."""
     pairs = sorted(
         _pairs(conclusion, rows), key=lambda pair: pair.over.step_voxels or 0
     )
@@ -256,14 +256,12 @@ def _crossover(conclusion: dict[str, Any], rows: list[Record]) -> tuple[str, str
     if any(sample.drawn is None for sample in samples):
         return f"ratios {ratios}", UNDECIDED
     draws = np.array([np.log(sample.drawn) for sample in samples])
-    if conclusion.get("none"):
-        return f"ratios {ratios}", _no_crossover(draws)
-    places = [_crossing(np.log(steps), draw) for draw in draws.T]
+    places = [_rise(np.log(steps), draw) for draw in draws.T]
     inside = [place for place in places if place is not None]
     if len(inside) < LEVEL * len(places):
         word = FAILS if len(inside) < (1 - LEVEL) * len(places) else UNDECIDED
         return f"no crossover that is sure; ratios {ratios}", word
-    value = _crossing(np.log(steps), np.array([np.log(item.value) for item in samples]))
+    value = _rise(np.log(steps), np.array([np.log(item.value) for item in samples]))
     middle = float(np.median(inside)) if value is None else value
     ratio = RatioSample(np.exp(middle), np.exp(np.array(inside)), "").interval()
     return f"at {interval_text(ratio)} voxels; ratios {ratios}", _judge(
@@ -271,22 +269,18 @@ def _crossover(conclusion: dict[str, Any], rows: list[Record]) -> tuple[str, str
     )
 
 
-def _no_crossover(draws: np.ndarray) -> str:
-    one_side = np.mean(np.all(draws > 0, axis=0) | np.all(draws < 0, axis=0))
-    if one_side >= LEVEL:
-        return HOLDS
-    return FAILS if one_side <= 1 - LEVEL else UNDECIDED
+def _rise(places: np.ndarray, logs: np.ndarray) -> float | None:
+    """Return the first place where the ratio rises through 1."""
+    return next((place for place, rises in crossings(places, logs) if rises), None)
 
 
-def _crossing(places: np.ndarray, logs: np.ndarray) -> float | None:
-    """Return the first place where the sign changes."""
-    for index in range(len(logs) - 1):
-        a, b = logs[index], logs[index + 1]
-        if a * b <= 0 and a != b:
-            return float(
-                places[index] + (places[index + 1] - places[index]) * a / (a - b)
-            )
-    return None
+def crossings(places: np.ndarray, logs: np.ndarray) -> list[tuple[float, bool]]:
+    """Return where the sign changes, straight between two places, and whether it rises there."""
+    found = []
+    for place, following, a, b in zip(places, places[1:], logs, logs[1:]):
+        if (a < 0) != (b < 0):
+            found.append((float(place + (following - place) * a / (a - b)), bool(a < b)))
+    return found
 
 
 def _unmeasured(conclusion: dict[str, Any], rows: list[Record]) -> tuple[str, str]:

@@ -51,7 +51,7 @@ def _conclusion_faults(
         if key not in conclusion:
             yield place, f'kind {kind} needs "{key}"'
             return
-    bounds = {"at_least", "at_most", "none"} & set(conclusion)
+    bounds = {"at_least", "at_most"} & set(conclusion)
     if kind != "unmeasured" and not bounds:
         yield place, f'kind {kind} needs "at_least" or "at_most"'
     for side in ("over", "under"):

@@ -8,15 +8,14 @@ import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
-from matplotlib.ticker import FuncFormatter, LogLocator  # noqa: E402
 
 from .error import EIGHT_BIT_RMSE  # noqa: E402
 from .errors import OutputError  # noqa: E402
-from .plot_style import COLORS, PATH_TITLES, PEER_COLOR, STYLE  # noqa: E402
+from .plot_style import COLORS, PATH_TITLES, PEER_COLOR, STYLE, log_ticks  # noqa: E402
 from .results import OK, Record  # noqa: E402
 from .study import Scene  # noqa: E402
 from .summary import in_scene, is_peer, lines, sampling_text  # noqa: E402
-from .summary import scenes_of, standard_rows  # noqa: E402
+from .summary import scenes_of, shared_settings, standard_rows  # noqa: E402
 from .techniques import PARAVIEW, TECHNIQUES  # noqa: E402
 from .work_precision_plot import sweep_figure  # noqa: E402
 
@@ -48,13 +47,14 @@ def write_plots(folder: Path, records: list[Record], swept: bool = False) -> Non
     """Write the figures of each scene that has something to show."""
     error_figure = sweep_figure if swept else _error_figure
     target = folder / FOLDER
+    shared = shared_settings(records)
     for scene in scenes_of(records):
         rows = [row for row in in_scene(records, scene) if row.status == OK]
         with plt.rc_context(STYLE):
             if any(row.error.rmse for row in rows):
                 save_figure(error_figure(rows), target / error_plot_file(scene))
             if rows:
-                save_figure(_fps_figure(rows), target / fps_plot_file(scene))
+                save_figure(_fps_figure(rows, shared), target / fps_plot_file(scene))
 
 
 def inlined(path: Path) -> str:
@@ -136,9 +136,7 @@ def _error_panel(panel: Any, rows: list[Record]) -> None:
         linestyle=(0, (1, 2)),
         label=EIGHT_BIT_LABEL,
     )
-    panel.xaxis.set_major_locator(LogLocator(base=10, subs=(1, 2, 5)))
-    panel.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
-    panel.xaxis.set_minor_locator(LogLocator(base=10, subs=()))
+    log_ticks(panel.xaxis)
 
 
 def _limit_errors(panel: Any, rows: list[Record]) -> None:
@@ -204,10 +202,10 @@ def _label_step(panel: Any, row: Record, side: tuple[int, int]) -> None:
     )
 
 
-def _fps_figure(rows: list[Record]) -> Any:
+def _fps_figure(rows: list[Record], shared: frozenset[str]) -> Any:
     """Bars of frames per second at equal or smaller error, one group per path."""
     shown = lines(rows)
-    labels = [_bar_label(line.record) for line in shown]
+    labels = [_bar_label(line.record, shared) for line in shown]
     height = 0.34 * len(shown) + 0.9
     figure, panel = plt.subplots(figsize=(6.4, height))
     positions, ticks = [], []
@@ -229,11 +227,13 @@ def _fps_figure(rows: list[Record]) -> Any:
     panel.set_xlim(0, max(speeds) * 1.22 or 1)
     panel.grid(True, axis="x")
     panel.tick_params(axis="y", length=0)
-    panel.set_xlabel("frames per second (in brackets: against the peer of that path)")
+    peers = any(line.peer for line in shown)
+    words = " (in brackets: against the peer of that path)" if peers else ""
+    panel.set_xlabel(f"frames per second{words}")
     return figure
 
 
-def _bar_label(record: Record) -> str:
+def _bar_label(record: Record, shared: frozenset[str]) -> str:
     title = TECHNIQUES[record.technique].title
-    sampling = "" if record.step_voxels is None else f" ({sampling_text(record)})"
+    sampling = "" if record.step_voxels is None else f" ({sampling_text(record, shared)})"
     return f"{record.path}: {title}{sampling}"

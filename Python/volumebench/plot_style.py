@@ -1,4 +1,8 @@
-"""Colours, words and style that all figures share."""
+"""Colours, words, ticks and style that all figures share."""
+
+from typing import Any
+
+from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
 PEER_COLOR = "#3a3f4a"
 COLORS = (
@@ -31,3 +35,14 @@ STYLE = {
     "figure.dpi": 130,
     "svg.hashsalt": "volumebench",  # the same figure is the same file
 }
+
+FEW_TICKS = (1, 2, 5)  # of a decade
+
+
+def log_ticks(axis: Any) -> None:
+    """Write plain numbers along a logarithmic axis, as many as its range has room for."""
+    low, high = axis.get_view_interval()
+    every = tuple(range(1, 10)) if high < 5 * low else FEW_TICKS
+    axis.set_major_locator(LogLocator(base=10, subs=(1,) if high > 1e3 * low else every))
+    axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
+    axis.set_minor_formatter(NullFormatter())

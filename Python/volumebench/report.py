@@ -18,25 +18,24 @@ from .report_style import HOW_CEILINGS_ARE_READ, HOW_TO_READ
 from .results import Context, Record
 from .study import COMPOSITE, Scene, Study
 from .notes import SLOW_FACTOR, all_notes
+from .report_rows import line_table
 from .summary import (
     Line,
+    counted,
     headlines,
     in_scene,
+    is_peer,
     lines,
-    million_samples,
-    million_samples_per_second,
     missing_groups,
-    number,
-    sampling_text,
     scene_remarks,
     scenes_of,
+    shared_settings,
+    shared_text,
 )
-from .tables import setting_tables, slow_table, stage_table
+from .tables import feature_table, setting_tables, slow_table, stage_table
 from .techniques import REFERENCE_TECHNIQUE, TECHNIQUES
 
-UNEQUAL = (
-    "<p><small>* not at equal error: no run was as accurate as the peer's</small></p>"
-)
+UNLESS = ", unless the settings of a row say otherwise"
 _CONTEXT_TITLES = {
     "date": "Date (UTC)",
     "host": "Host",
@@ -69,37 +68,47 @@ def write_report(
 ) -> None:
     """Write report.html with everything inlined."""
     galleries = {gallery.scene: gallery for gallery in read_galleries(folder)}
+    shared = shared_settings(records)
     scenes = [
-        _scene_section(folder, scene, records, galleries.get(scene.title()))
+        _scene_section(folder, scene, records, galleries.get(scene.title()), shared)
         for scene in scenes_of(records)
     ]
     body = "\n".join(
         [
             head(study.name, study.description, context),
             _findings(folder, findings),
-            _summary(records),
+            _summary(records, shared) if study.paper is None else "",
             f'<section class="read"><h2>How to read this</h2>{HOW_TO_READ}</section>',
             *scenes,
             _ceilings(context, records),
             _notes(study, records),
             _failures(records, notes),
-            _settings(study, context),
+            _settings(study, context, records),
         ]
     )
     title = f"VolumeBench: {study.name}"
     write_atomically(folder / "report.html", page(title, body))
 
 
-def _summary(records: list[Record]) -> str:
+def _summary(records: list[Record], shared: frozenset[str]) -> str:
     """The headline: per scene and path, the peer and each technique at its error."""
     shown = lines(records)
     if not shown:
         return "<section><h2>Result</h2><p>No run was measured.</p></section>"
-    points = "".join(f"<li>{escape(text)}</li>" for text in headlines(records))
+    items = "".join(f"<li>{escape(text)}</li>" for text in headlines(records))
+    points = _list(items, ' class="headlines"')
+    words = (
+        "Each technique at the fastest setting whose error does not exceed the peer's, so the "
+        "speed-up is at equal or better quality."
+    )
+    if not any(is_peer(line.record) for line in shown):
+        words = (
+            "Each technique at the step nearest to a voxel, with the first of its settings: no "
+            "peer was measured whose error they could be held against."
+        )
     return (
-        f'<section><h2>Result</h2><ul class="headlines">{points}</ul><p>Each technique at the fastest setting whose error does not '
-        "exceed the peer's, so the speed-up is at equal or better quality.</p>"
-        f"{_line_table(shown, with_scene=True)}</section>"
+        f"<section><h2>Result</h2>{points}<p>{words}</p>"
+        f"{line_table(shown, True, shared)}</section>"
     )
 
 
@@ -109,92 +118,31 @@ def _findings(folder: Path, findings: Findings | None) -> str:
         return ""
     remarks = "".join(f"<li>{escape(text)}</li>" for text in findings.remarks if text)
     figures = "".join(
-        _figure(folder / PLOT_FOLDER / name, title) for name, title in findings.figures
+        f"<h3>{escape(title)}</h3>{_figure(folder / PLOT_FOLDER / name, title)}"
+        for name, title in findings.figures
     )
     tables = "".join(map(html_table, findings.given_tables()))
+    words = f"{_list(remarks)}{findings.how_to_read}"
+    parts = [figures, tables, words]
+    if findings.tables_first:
+        parts = [tables, words, figures]
     return (
-        f'<section><p class="lead">{escape(findings.sentence)}</p>{figures}{tables}'
-        f"<ul>{remarks}</ul>{findings.how_to_read}</section>"
+        f'<section><p class="lead">{escape(findings.sentence)}</p>'
+        f"{''.join(parts)}</section>"
     )
 
 
-def _line_table(shown: list[Line], with_scene: bool) -> str:
-    titles = ["Path", "Technique", "Sampling"]
-    figures = ["ms (quartiles)", "GPU ms", "FPS", "Msamples", "Msamples/s"]
-    figures += [
-        "RMSE",
-        "99.9 %",
-        "mean error",
-        "SSIM",
-        "&Delta;E &gt; 1",
-        "FLIP",
-        "FLIP 99 %",
-    ]
-    figures += ["Speed-up"]
-    head = "".join(f"<th>{title}</th>" for title in titles)
-    head += "".join(f'<th class="n">{title}</th>' for title in figures)
-    rows = []
-    previous = None
-    for line in shown:
-        scene = line.record.run().scene
-        if with_scene and scene != previous:
-            inside = in_scene([item.record for item in shown], scene)
-            rows.append(_scene_row(scene, inside, len(titles) + len(figures)))
-        previous = scene
-        rows.append(f"<tr>{_cells(line)}</tr>")
-    unequal = any(line.speed_up() and not line.matched for line in shown)
-    return (
-        f'<div class="wide"><table><thead><tr>{head}</tr></thead>'
-        f'<tbody>{"".join(rows)}</tbody></table></div>'
-        f"{UNEQUAL if unequal else ''}"
-    )
-
-
-def _scene_row(scene: Scene, records: list[Record], columns: int) -> str:
-    remarks = "; ".join(scene_remarks(records))
-    return (
-        f'<tr><th class="scene" colspan="{columns}">{escape(scene.title())} '
-        f"<small>{escape(remarks)}</small></th></tr>"
-    )
-
-
-def _cells(line: Line) -> str:
-    record = line.record
-    speed_up = line.speed_up()
-    factor = ""
-    if speed_up:
-        factor = f"{speed_up:.1f}&times;"
-        factor = f"<b>{factor}</b>" if line.matched else f"{factor} *"
-    texts = [
-        record.path,
-        escape(TECHNIQUES[record.technique].title),
-        escape(sampling_text(record)),
-    ]
-    spread = record.frame_ms
-    quartiles = ""
-    if spread.q1 is not None and spread.q3 is not None:
-        quartiles = f" <small>({spread.q1:.1f}&ndash;{spread.q3:.1f})</small>"
-    figures = [
-        number(spread.median, ".1f") + quartiles,
-        number(record.gpu_ms.median, ".1f"),
-        number(record.fps, ".1f"),
-        number(million_samples(record), ".2f"),
-        number(million_samples_per_second(record), ".0f"),
-        number(record.error.rmse, ".2e"),
-        number(record.error.p999, ".2e"),
-        number(record.error.mean, "+.1e"),
-        number(record.error.ssim, ".4f"),
-        number(record.error.delta_e_over_1_percent, ".1f", " %"),
-        number(record.error.flip_mean, ".4f"),
-        number(record.error.flip_p99, ".4f"),
-        factor,
-    ]
-    text = "".join(f"<td>{cell}</td>" for cell in texts)
-    return text + "".join(f'<td class="n">{cell}</td>' for cell in figures)
+def _list(items: str, attribute: str = "") -> str:
+    """Return list items as a list; nothing where there are none."""
+    return f"<ul{attribute}>{items}</ul>" if items else ""
 
 
 def _scene_section(
-    folder: Path, scene: Scene, records: list[Record], gallery: Gallery | None
+    folder: Path,
+    scene: Scene,
+    records: list[Record],
+    gallery: Gallery | None,
+    shared: frozenset[str],
 ) -> str:
     rows = in_scene(records, scene)
     dims = next((row.dims for row in rows if row.dims), None)
@@ -205,6 +153,7 @@ def _scene_section(
     if doubt:
         remarks.append(f"; uncertainty of the reference {doubt:.1e} RMSE")
     blending = "" if scene.blend_mode == COMPOSITE else f" &middot; {scene.blend_mode}"
+    blending += " &middot; shaded" if scene.lighting else ""
     measured = [Line(row, None, False) for row in rows if row.frame_ms.median]
     parts = [
         f"<section><h2>{escape(scene.dataset)} &middot; "
@@ -215,18 +164,25 @@ def _scene_section(
         _pictures(folder, gallery),
         _figure(folder / PLOT_FOLDER / fps_plot_file(scene), "Frames per second"),
         *(html_table(table) for table in setting_tables(rows)),
-        html_table(stage_table(rows)),
-        _all_rows(measured),
+        html_table(stage_table(rows, shared)),
+        _details(
+            f"All {len(measured)} measured rows",
+            line_table(measured, False, shared) if measured else "",
+        ),
+        _details(
+            "What the kernels were made for, and what was left out of them",
+            html_table(feature_table(rows)),
+        ),
         "</section>",
     ]
     return "".join(parts)
 
 
-def _all_rows(measured: list[Line]) -> str:
-    if not measured:
+def _details(title: str, content: str) -> str:
+    """Return what opens on a click; nothing where there is no content."""
+    if not content:
         return ""
-    table = _line_table(measured, with_scene=False)
-    return f"<details><summary>All {len(measured)} measured rows</summary>{table}</details>"
+    return f"<details><summary>{title}</summary>{content}</details>"
 
 
 def _figure(path: Path, title: str) -> str:
@@ -293,8 +249,9 @@ def _failures(records: list[Record], notes: list[str]) -> str:
     return f"<section><h2>Rows without a measurement</h2>{text}</section>"
 
 
-def _settings(study: Study, context: Context) -> str:
+def _settings(study: Study, context: Context, records: list[Record]) -> str:
     timing, error, camera = study.timing, study.error, study.camera
+    own = {name for record in records for name in record.settings}
     entries = {
         _CONTEXT_TITLES[name]: "not used" if value is None else value
         for name, value in asdict(context).items()
@@ -306,11 +263,13 @@ def _settings(study: Study, context: Context) -> str:
         f"{camera.elevation_degrees:g} degrees, zoom {camera.zoom:g}",
         "Stop rule": f"at least {timing.minimum_frames} frames, noise of the mean "
         f"{100 * timing.relative_noise:g} %, at most {timing.time_limit_s:g} s a run",
-        "Error": f"{error.views} views, reference step {error.reference_step_voxels:g} voxel"
+        "Error": f"{counted(error.views, 'view')}, reference step {error.reference_step_voxels:g} voxel"
         + _size_text(error.image_size),
-        "Ray termination": f"remaining transmittance {study.termination_threshold:g}",
-        "Ray set-up": study.ray_set_up,
+        "Ray termination": f"remaining transmittance {study.termination_threshold:g}"
+        + UNLESS * ("termination_threshold" in own),
+        "Ray set-up": study.ray_set_up + UNLESS * ("ray_set_up" in own),
         "Lighting": _lighting_text(study),
+        "Settings of all rows": shared_text(records) or "none that all share",
     }
     rows = "".join(
         f"<tr><th>{escape(name)}</th><td>{escape(str(value))}</td></tr>"

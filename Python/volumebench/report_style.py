@@ -3,10 +3,10 @@
 STYLE = """
 :root { color-scheme: light dark; --text: #1f2430; --page: #f3f4f6; --card: #fff; --line: #e2e4e9;
   --soft: #edeff2; --faint: #5b616d; --head: #4a505c; --link: #0072b2; --note: #f8fafc;
-  --strong-line: #d5d9e0; }
+  --strong-line: #d5d9e0; --good: #c9ecd6; --bad: #f6d0cb; --open: #f7e6b5; }
 @media (prefers-color-scheme: dark) { :root { --text: #e4e6ea; --page: #14171d; --card: #1d2129;
   --line: #333945; --soft: #2a303a; --faint: #a4abb8; --head: #c3c8d2; --link: #6ab8ec; --note: #1a1e26;
-  --strong-line: #454d5b; } }
+  --strong-line: #454d5b; --good: #1f5135; --bad: #6b2a24; --open: #5b4a14; } }
 body { font: 15px/1.55 system-ui, "Segoe UI", Roboto, "Helvetica Neue", sans-serif;
   color: var(--text); background: var(--page); margin: 0 auto; max-width: 1120px; padding: 24px; }
 header { margin: 8px 0 24px; }
@@ -24,6 +24,13 @@ table { border-collapse: collapse; width: 100%; font-size: 13.5px; }
 th { text-align: left; font-weight: 600; color: var(--head); white-space: nowrap; }
 th, td { padding: 5px 10px 5px 0; border-bottom: 1px solid var(--soft); vertical-align: top; }
 td.n, th.n { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; }
+th.group { text-align: center; border-left: 2px solid var(--strong-line); }
+th.group:empty { border-left: 0; }
+.mark { display: inline-block; white-space: nowrap; border-radius: 4px; padding: 0 7px; font-weight: 600;
+  background: var(--soft); }
+.mark.holds { background: var(--good); }
+.mark.does-not-hold { background: var(--bad); }
+.mark.undecided { background: var(--open); }
 th.scene { color: var(--text); border-top: 2px solid var(--strong-line); padding-top: 10px; }
 img.plot { display: block; background: #fff; border-radius: 4px; max-width: 100%; margin: 12px auto; }
 .pictures { display: grid; grid-template-columns: repeat(auto-fill, minmax(190px, 1fr));
@@ -46,6 +53,7 @@ th[aria-sort=descending]::after { content: " \\2193"; }
 SCRIPT = """
 document.querySelectorAll("table").forEach(table => {
   if (!table.tHead) return;
+  const heads = Array.from(table.tHead.rows[table.tHead.rows.length - 1].cells);
   const value = row => column => {
     const text = row.cells[column] ? row.cells[column].textContent.trim() : "";
     const number = parseFloat(text.replace(/^[^-+.0-9]*(?=[-+.0-9])/, ""));
@@ -60,7 +68,7 @@ document.querySelectorAll("table").forEach(table => {
   };
   const sort = (head, column) => {
     const up = head.getAttribute("aria-sort") !== "ascending";
-    for (const other of table.tHead.rows[0].cells) other.removeAttribute("aria-sort");
+    for (const other of heads) other.removeAttribute("aria-sort");
     head.setAttribute("aria-sort", up ? "ascending" : "descending");
     const order = (a, b) => {
       const x = value(a)(column), y = value(b)(column);
@@ -73,7 +81,7 @@ document.querySelectorAll("table").forEach(table => {
       table.tBodies[0].append(...rows.sort(order));
     }
   };
-  Array.from(table.tHead.rows[0].cells).forEach((head, column) => {
+  heads.forEach((head, column) => {
     head.classList.add("sortable");
     head.tabIndex = 0;
     head.addEventListener("click", () => sort(head, column));
@@ -139,7 +147,8 @@ techniques cross. A conclusion rests on the ratio of frame times of rows that di
 bootstrap over the frames. It <b>holds</b> where the whole interval meets the paper's claim, <b>does not
 hold</b> where the whole interval contradicts it, is <b>undecided</b> in between, and <b>not run</b> where this
 machine or this cut of the study lacks the rows. Generated volumes stand in for those that are not
-public, and are named as such.</small></p>
+public, and are named as such. In the tables, "left out" is what this cut of the study does not have; the RMSE
+is that of the row whose time stands beside it.</small></p>
 """
 
 HOW_SCALING_IS_READ = """

@@ -70,7 +70,39 @@ def _shortened(
         if isinstance(given, dict) and "transfer_functions" not in quick:
             kept = {key: given[key] for key in given if key in quick["datasets"]}
             result["transfer_functions"] = kept
+    if "paper" in document and "image_sizes" in quick:
+        _stand_for_sizes(result, document["image_sizes"], quick["image_sizes"])
     return result
+
+
+def _stand_for_sizes(
+    result: dict[str, Any], sizes: list[list[int]], smaller: list[list[int]]
+) -> None:
+    """Where a quick cut has as many sizes of pictures, each answers for one that a paper names."""
+    if len(sizes) == len(smaller):
+        result["paper"] = _with_sizes(result["paper"], list(zip(sizes, smaller)))
+    here, there = (
+        ", ".join(f"{width} x {height}" for width, height in item)
+        for item in (smaller, sizes)
+    )
+    note = (
+        f"This quick cut draws {here} pixels in place of {there}: its times do not compare "
+        "with the paper's, its ratios do."
+    )
+    result["notes"] = [*result.get("notes", ()), note]
+
+
+def _with_sizes(part: Any, pairs: list[tuple[list[int], list[int]]]) -> Any:
+    """Return a part of a document with other sizes of pictures in its selectors."""
+    if isinstance(part, list):
+        return [_with_sizes(item, pairs) for item in part]
+    if not isinstance(part, dict):
+        return part
+    found = {key: _with_sizes(value, pairs) for key, value in part.items()}
+    if "image_size" in found:
+        size = found["image_size"]
+        found["image_size"] = next((new for old, new in pairs if old == size), size)
+    return found
 
 
 def study_from(

@@ -1,10 +1,12 @@
 """Condenses the rows of a study: which run of a technique is fair to set against the peer's."""
 
+from collections.abc import Iterable
 from dataclasses import dataclass
+from typing import Any
 
 from .results import OK, Record
 from .study import Scene
-from .technique_settings import settings_text
+from .technique_settings import settings_text, without
 from .techniques import TECHNIQUES
 
 STANDARD_STEP_VOXELS = 1.0
@@ -58,6 +60,37 @@ def standard_rows(records: list[Record]) -> list[Record]:
         for row in records
         if row.settings == first[row.run().scene, row.path, row.technique]
     ]
+
+
+def shared_settings(records: list[Record]) -> frozenset[str]:
+    """Return what all rows of ours have with one value, so that readers need it once only: the
+    integrator, and settings by their names."""
+    return shared_settings_of(
+        {"integrator": row.integrator} | row.settings
+        for row in records
+        if not is_peer(row)
+    )
+
+
+def shared_settings_of(settings: Iterable[dict[str, Any]]) -> frozenset[str]:
+    """Return the names that all settings have with one value."""
+    given = list(settings)
+    return frozenset(
+        name
+        for name, value in (given[0] if given else {}).items()
+        if all(name in other and other[name] == value for other in given)
+    )
+
+
+def shared_text(records: list[Record]) -> str:
+    """Return integrator and settings that all rows of ours share, for readers."""
+    first = next((row for row in records if not is_peer(row)), None)
+    if first is None:
+        return ""
+    shared = shared_settings(records)
+    texts = [first.integrator] if "integrator" in shared else []
+    shared_ones = {name: first.settings[name] for name in first.settings if name in shared}
+    return ", ".join(filter(None, [*texts, settings_text(shared_ones)]))
 
 
 def matching(candidates: list[Record], peer: Record | None) -> tuple[Record, bool]:
@@ -171,12 +204,14 @@ def unfinished(records: list[Record]) -> list[Record]:
     return [record for record in records if record.status != OK]
 
 
-def sampling_text(record: Record) -> str:
-    """Return integrator, step and varied settings for readers."""
+def sampling_text(record: Record, shared: frozenset[str] = frozenset()) -> str:
+    """Return integrator, step and settings for readers, less what all rows share."""
+    settings = settings_text(without(record.settings, shared))
     if record.step_voxels is None:
-        return settings_text(record.settings) or "its own default"
-    text = f"{record.integrator}, step {record.step_voxels:g}"
-    return f"{text}, {settings_text(record.settings)}" if record.settings else text
+        return settings or "its own default"
+    integrator = "" if "integrator" in shared else record.integrator
+    step = f"step {record.step_voxels:g}"
+    return ", ".join(filter(None, [integrator, step, settings]))
 
 
 @dataclass(frozen=True)
@@ -215,6 +250,11 @@ def describe(record: Record) -> str:
     title = TECHNIQUES[record.technique].title
     sampling = f" ({sampling_text(record)})" if record.step_voxels is not None else ""
     return f"{title}{sampling}, {record.run().scene.title()}, path {record.path}"
+
+
+def counted(count: int, word: str) -> str:
+    """Return "1 view" or "2 views"."""
+    return f"{count} {word}" + "s" * (count != 1)
 
 
 def number(value: float | None, pattern: str, unit: str = "") -> str:

@@ -142,6 +142,11 @@ def value_text(name: str, value: Any) -> str:
     return "auto" if automatic and value == 0 else str(value)
 
 
+def without(settings: dict[str, Any], names: frozenset[str]) -> dict[str, Any]:
+    """Return settings less those of the given names."""
+    return {name: value for name, value in settings.items() if name not in names}
+
+
 def settings_text(settings: dict[str, Any]) -> str:
     """Return settings for readers: "slice threads 4, slice target RGBA8"."""
     return ", ".join(

@@ -3,9 +3,8 @@
 from typing import Any
 
 import matplotlib.pyplot as plt
-from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
-from .plot_style import COLORS, PATH_TITLES, PEER_COLOR
+from .plot_style import COLORS, PATH_TITLES, PEER_COLOR, log_ticks
 from .results import Record
 from .summary import PEER_DISTANCE, is_peer, sample_distance
 from .technique_settings import settings_text
@@ -110,9 +109,7 @@ def _panel(panel: Any, points: list[Point], styles: dict[str, tuple[str, str]]) 
             _peer(panel, name, curve)
         else:
             _curve(panel, name, curve, *styles[name])
-    panel.xaxis.set_major_locator(LogLocator(base=10, subs=(1, 2, 5)))
-    panel.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
-    panel.xaxis.set_minor_formatter(NullFormatter())
+    log_ticks(panel.xaxis)
 
 
 def _curve(panel: Any, name: str, points: list[Point], color: str, marker: str) -> None:

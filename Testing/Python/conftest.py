@@ -6,7 +6,8 @@ from pathlib import Path
 
 import pytest
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "Python"))
+for folder in ("Python", "Testing/Support"):
+    sys.path.insert(0, str(Path(__file__).resolve().parents[2] / folder))
 
 
 def minimal_document() -> dict:

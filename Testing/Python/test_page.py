@@ -1,16 +1,13 @@
 """Pages in a browser: tables sort on a click, nothing is loaded, light and dark can be read."""
 
-import json
 import re
-import shutil
-import subprocess
 
 import pytest
+from browser import CHROMIUM, dump, written_by_page
 from volumebench.html_table import html_table
 from volumebench.page import page
 from volumebench.tables import Table
 
-CHROMIUM = shutil.which("chromium")
 pytestmark = pytest.mark.skipif(CHROMIUM is None, reason="chromium is not installed")
 
 PROBE = """
@@ -18,7 +15,7 @@ PROBE = """
 const seen = {errors: []};
 addEventListener("error", event => seen.errors.push(event.message));
 addEventListener("load", () => {
-  const heads = document.querySelectorAll("thead th");
+  const heads = document.querySelectorAll("thead tr:last-child th");
   const column = index => Array.from(
     document.querySelectorAll("tbody tr"), row => row.cells[Math.min(index, row.cells.length - 1)].textContent.trim());
   seen.start = column(1);
@@ -40,17 +37,7 @@ def seen_in(tmp_path, body, *options):
     """Open a page in a browser; return what its probe saw."""
     file = tmp_path / "page.html"
     file.write_text(page("test", PROBE + body), encoding="utf-8")
-    command = [CHROMIUM, "--headless", "--no-sandbox", "--disable-gpu", "--dump-dom"]
-    folder = f"--user-data-dir={tmp_path / 'profile'}"
-    done = subprocess.run(
-        [*command, folder, *options, file.as_uri()],
-        capture_output=True,
-        text=True,
-        timeout=180,
-    )
-    found = re.search(r'<pre id="seen">(.*?)</pre>', done.stdout, re.S)
-    assert found, done.stderr[-2000:]
-    return json.loads(found.group(1).replace("&gt;", ">").replace("&amp;", "&"))
+    return written_by_page(dump(file, tmp_path, *options), "seen")
 
 
 def table(*values):
@@ -68,6 +55,16 @@ def test_a_click_sorts_numbers_by_value_and_absent_ones_last(tmp_path):
     assert seen["down"] == ["1e3", "10.25 (9 to 12)", "9.5", "-3e-2", "-"]
     assert seen["sort"] == "ascending" and seen["cleared"] is None
     assert seen["words"] == sorted(seen["words"])
+
+
+def test_columns_under_a_title_sort_and_verdicts_are_marked(tmp_path):
+    rows = (("holds", "10", "2"), ("does not hold", "9", "3"))
+    groups = (("", 1), ("compute", 2))
+    markup = html_table(Table("T", ("verdict", "a", "b"), rows, 1, groups, True))
+    assert '<span class="mark does-not-hold">does not hold</span>' in markup
+    seen = seen_in(tmp_path, markup)
+    assert seen["errors"] == []
+    assert seen["start"] == ["10", "9"] and seen["up"] == ["9", "10"]
 
 
 def test_rows_stay_under_their_scene(tmp_path):

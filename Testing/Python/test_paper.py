@@ -11,9 +11,10 @@ from volumebench.__main__ import main
 from volumebench.error import ImageError
 from volumebench.errors import StudyError
 from volumebench.paper import fastest, matches, verdict_of
-from volumebench.paper_plot import fps_of_frames, paper_figures
-from volumebench.paper_tables import conclusion_table, paper_sentence, published_tables
-from volumebench.paper import verdicts
+from volumebench.paper_panels import curves_of, fps_of_frames, places_of_crossing
+from volumebench.paper_plot import spread_over_volumes
+from volumebench.paper_tables import paper_sentence, published_tables
+from volumebench.paper import Verdict, verdicts
 from volumebench.results import FrameLog, record_of, times
 from volumebench.study import Run, Scene
 from volumebench.study_file import find_study, load_study
@@ -100,10 +101,15 @@ def test_a_crossover_is_found_between_steps():
     assert found.word == "holds", found.measured
     far = judged(curves(), kind="crossover", at_least=0.5, at_most=1.5)
     assert far.word == "does not hold"
-    assert judged(curves(), kind="crossover", none=True).word == "does not hold"
     apart = [row for row in curves() if row.step_voxels < 4]
-    assert judged(apart, kind="crossover", none=True).word == "holds"
     assert judged(apart, kind="crossover", at_least=1, at_most=8).word != "holds"
+
+
+def test_a_crossover_the_other_way_round_is_none():
+    """Multi pass is faster below a step of 4: that single pass were so is wrong."""
+    ends = {"over": {"technique": "single-pass"}, "under": {"technique": "multi-pass"}}
+    found = judged(curves(), kind="crossover", at_least=3.0, at_most=5.5, **ends)
+    assert found.word == "does not hold", found.measured
 
 
 def test_a_difference_is_in_milliseconds():
@@ -234,13 +240,66 @@ def test_quick_keeps_the_extremes_of_every_factor(paper_study):
     assert (min(cut), max(cut)) == (min(full), max(full))
 
 
-def test_published_values_stand_beside_ours(paper_study):
+def test_published_values_stand_beside_ours_and_their_errors(paper_study):
     for table in published_tables(paper_study.paper, made_up_rows(paper_study)):
         assert all(len(row) == len(table.header) for row in table.rows)
-        ours = [cell for row in table.rows for cell in row[2::2]]
-        theirs = [cell for row in table.rows for cell in row[1::2]]
-        assert len(ours) == len(theirs)
+        assert sum(count for _, count in table.groups) == len(table.header)
+        ours, errors = (
+            [cell for row in table.rows for cell in row[first::3]] for first in (2, 3)
+        )
+        assert "left out" not in ours
         assert "not run" not in ours or paper_study.name != "maas-2015"
+        assert [cell == "-" for cell in errors] == [cell == "not run" for cell in ours]
+
+
+def test_a_quick_cut_tells_what_it_leaves_out_of_a_table():
+    study = load_study(find_study("maas-2015")).quick()
+    table = published_tables(study.paper, made_up_rows(study))[0]
+    found = {row[0]: row[2] for row in table.rows}
+    assert found["step 0.002"] == "left out" and float(found["step 0.001"]) > 0
+
+
+def test_smaller_pictures_of_a_quick_cut_answer_for_those_of_the_paper():
+    """A title such as "GLSL 1920" is the paper's; the note tells the size that is drawn."""
+    full = load_study(find_study("nikolov-2015"))
+    quick = full.quick()
+    assert quick.image_sizes != full.image_sizes
+    assert "in place of 500 x 500, 1920 x 1200" in quick.notes[-1]
+    rows = made_up_rows(quick)
+    for table in published_tables(quick.paper, rows)[:2]:
+        cells = {cell for row in table.rows for cell in row[2::3]}
+        assert "left out" not in cells
+    large = [row for row in rows if row.image_size == quick.image_sizes[1]]
+    (row, *_) = published_tables(quick.paper, large)[0].rows
+    assert row[2] == "left out" and float(row[5]) > 0
+
+
+def test_figures_show_scenes_of_every_volume():
+    scenes = [Scene(volume, f"tf{i}", (8, 8)) for volume in "abc" for i in range(4)]
+    shown = spread_over_volumes(scenes, 5)
+    assert [scene.dataset for scene in shown] == ["a", "a", "b", "b", "c"]
+    assert shown == [scene for scene in scenes if scene in shown]
+    assert spread_over_volumes(scenes, 99) == scenes
+
+
+def test_curves_that_cross_are_marked_where_they_do():
+    """Without termination they cross at a step of 4; with it they do not."""
+    off = [replace(row, settings={"termination_threshold": 0}) for row in curves(0)]
+    on = [replace(row, settings={"termination_threshold": 0.1}) for row in curves(0)]
+    on = [row for row in on if row.step_voxels < 4]
+    (place,) = places_of_crossing(curves_of(off + on))
+    at_4 = next(row.frame_ms.median for row in off if row.step_voxels == 4)
+    assert place == pytest.approx((4, at_4), rel=0.02)
+
+
+def test_sentence_counts_in_words():
+    paper = {"title": "T", "hardware": "H"}
+    words = ["holds", "does not hold", "not run", "not run"]
+    found = [Verdict("", "", "", word) for word in words]
+    assert paper_sentence(paper, found) == (
+        "Of 4 conclusions of T (H), tested on this machine: 1 holds, 1 does not hold, "
+        "2 were not run."
+    )
 
 
 @pytest.mark.parametrize(

@@ -9,8 +9,10 @@ from volumebench.report import write_report
 from volumebench.results import Context, record_of
 from volumebench.statistics import spread
 from volumebench.study import Run, Scene
+from volumebench.summary import sampling_text, shared_settings, shared_text
 from volumebench.tables import (
     as_text,
+    feature_table,
     setting_tables,
     slow_table,
     stage_table,
@@ -115,6 +117,44 @@ def test_a_setting_with_one_value_has_no_column(records):
     ]
     (table,) = setting_tables(rows)
     assert "slice target" not in table.header and table.words == 1
+
+
+def test_steps_and_settings_share_a_table():
+    rows = [
+        replace(threaded(count, 40.0 / step), step_voxels=step)
+        for step in (2.0, 0.5)
+        for count in (1, 4)
+    ]
+    (table,) = setting_tables(rows)
+    assert table.header[:2] == ("step", "slice threads") and table.words == 2
+    assert [line[:2] for line in table.rows] == [
+        *(("2", "1"), ("2", "4"), ("0.5", "1"), ("0.5", "4"))
+    ]
+    assert not setting_tables(rows[::2]), "the step alone needs no table"
+
+
+def test_what_all_rows_share_is_told_once(records):
+    rows = [replace(item, settings={"skipping": False}) for item in records[:2]]
+    rows.append(replace(records[3], settings={"skipping": False, "slice_threads": 4}))
+    rows.append(records[-1])
+    assert shared_settings(rows) == {"skipping", "integrator"}, "peers have none"
+    assert shared_text(rows) == "Midpoint, skipping off"
+    shared = shared_settings(rows)
+    assert sampling_text(rows[0], shared) == "step 1"
+    assert sampling_text(rows[2], shared) == "step 1, slice threads 4"
+    rows[0] = replace(rows[0], settings={"skipping": True})
+    assert shared_settings(rows) == {"integrator"} and shared_text([]) == ""
+
+
+def test_what_was_left_out_is_told_by_technique(records):
+    plain = [replace(item, features=("midpoint",), left_out=("clip",)) for item in records]
+    rows = [replace(plain[0], left_out=("clip", "crop")), *plain[1:3]]
+    table = feature_table([*rows, records[-1]])
+    assert table.rows == (
+        ("Single Pass", "midpoint", "clip, crop"),
+        ("Multi Pass, Slices", "midpoint", "clip"),
+    )
+    assert feature_table(records) is None
 
 
 def test_one_row_of_settings_needs_no_table(records):
