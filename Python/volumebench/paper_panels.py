@@ -232,10 +232,10 @@ def shape_panel(axes: Any, rows: list[Record], drawn: Drawn) -> None:
         if not np.isnan(value):
             dark = value - low > DARK * (high - low)
             axes.text(
-                *(width, height, f"{value:.3g}"),
+                *(width, height, f"{value:.3g}" if value < 1000 else f"{value:.0f}"),
                 ha="center",
                 va="center",
-                fontsize=7,
+                fontsize=6.5,
                 color="white" if dark else "black",
             )
     for axis, count in ((axes.xaxis, size[1]), (axes.yaxis, size[0])):
