@@ -141,6 +141,8 @@ FUNC vec4 pixelOf(SCENE_PARAM March march, int count)
 #if GRADED_STEPS
   int skipped = stopped || count < march.covered ? march.skipped : count - march.covered;
 #else
+  // Rounding may leave a sliver beyond the last step, which is no sample of its own.
+  march.taken = march.taken < count ? march.taken : count;
   int skipped = stopped ? march.skipped : count - march.taken;
 #endif
   return VEC4(TO_REAL(march.taken * SAMPLES_OF_STEP), TO_REAL(skipped * SAMPLES_OF_STEP),

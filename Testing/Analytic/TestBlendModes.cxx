@@ -211,3 +211,21 @@ TEST(CountingText, TellsSamplesAndWhetherTheRayWasStopped)
   const auto stopped = counting64::integrate(scene, VOLUMEBENCH_RAY(counting64), { 0.0, 2.2 });
   EXPECT_EQ(stopped, counting64::vec4(3.0, 0.0, 1.0, 0.0));
 }
+
+TEST(CountingText, RoundingAtTheEndOfARayIsNoSample)
+{
+  const auto scene = VOLUMEBENCH_SCENE(
+    counting64, [](double) { return 0.5; }, 0.4);
+  for (int i = 1; i < 2000; ++i)
+  {
+    const double begin = 0.001 * i;
+    const int steps = 1 + i % 7;
+    const double end = std::nextafter(begin + steps * 0.4, 10.0);
+    const counting64::Interval interval{ begin, end };
+    const auto ray = VOLUMEBENCH_RAY(counting64);
+    const int count = counting64::stepCountOf(scene, ray, interval);
+    const auto pixel = counting64::integrate(scene, ray, interval);
+    EXPECT_EQ(pixel.x + pixel.y, count) << begin << ", " << steps;
+    EXPECT_GE(pixel.y, 0.0) << begin << ", " << steps;
+  }
+}
