@@ -10,8 +10,9 @@ def html_table(table: Table | None) -> str:
     if table is None:
         return ""
     body = "".join(f"<tr>{_row(table, cells)}</tr>" for cells in table.rows)
+    kind = ' class="grouped"' if table.groups else ""
     return (
-        f'<h3>{escape(table.title)}</h3><div class="wide"><table><thead>{_groups(table)}'
+        f'<h3>{escape(table.title)}</h3><div class="wide"><table{kind}><thead>{_groups(table)}'
         f"<tr>{_titles(table)}</tr></thead><tbody>{body}</tbody></table></div>"
     )
 

@@ -279,7 +279,9 @@ def crossings(places: np.ndarray, logs: np.ndarray) -> list[tuple[float, bool]]:
     found = []
     for place, following, a, b in zip(places, places[1:], logs, logs[1:]):
         if (a < 0) != (b < 0):
-            found.append((float(place + (following - place) * a / (a - b)), bool(a < b)))
+            found.append(
+                (float(place + (following - place) * a / (a - b)), bool(a < b))
+            )
     return found
 
 

@@ -235,5 +235,7 @@ def _fps_figure(rows: list[Record], shared: frozenset[str]) -> Any:
 
 def _bar_label(record: Record, shared: frozenset[str]) -> str:
     title = TECHNIQUES[record.technique].title
-    sampling = "" if record.step_voxels is None else f" ({sampling_text(record, shared)})"
+    sampling = (
+        "" if record.step_voxels is None else f" ({sampling_text(record, shared)})"
+    )
     return f"{record.path}: {title}{sampling}"

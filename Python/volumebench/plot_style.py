@@ -43,6 +43,8 @@ def log_ticks(axis: Any) -> None:
     """Write plain numbers along a logarithmic axis, as many as its range has room for."""
     low, high = axis.get_view_interval()
     every = tuple(range(1, 10)) if high < 5 * low else FEW_TICKS
-    axis.set_major_locator(LogLocator(base=10, subs=(1,) if high > 1e3 * low else every))
+    axis.set_major_locator(
+        LogLocator(base=10, subs=(1,) if high > 1e3 * low else every)
+    )
     axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
     axis.set_minor_formatter(NullFormatter())

@@ -24,6 +24,8 @@ table { border-collapse: collapse; width: 100%; font-size: 13.5px; }
 th { text-align: left; font-weight: 600; color: var(--head); white-space: nowrap; }
 th, td { padding: 5px 10px 5px 0; border-bottom: 1px solid var(--soft); vertical-align: top; }
 td.n, th.n { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; }
+table.grouped { font-size: 12.5px; }
+table.grouped td, table.grouped th { padding-right: 6px; white-space: nowrap; }
 th.group { text-align: center; border-left: 2px solid var(--strong-line); }
 th.group:empty { border-left: 0; }
 .mark { display: inline-block; white-space: nowrap; border-radius: 4px; padding: 0 7px; font-weight: 600;

@@ -89,7 +89,9 @@ def shared_text(records: list[Record]) -> str:
         return ""
     shared = shared_settings(records)
     texts = [first.integrator] if "integrator" in shared else []
-    shared_ones = {name: first.settings[name] for name in first.settings if name in shared}
+    shared_ones = {
+        name: first.settings[name] for name in first.settings if name in shared
+    }
     return ", ".join(filter(None, [*texts, settings_text(shared_ones)]))
 
 

@@ -158,7 +158,10 @@ def feature_table(records: list[Record]) -> Table | None:
             title = TECHNIQUES[row.technique].title
             groups.setdefault((row.features, row.left_out or ()), []).append(title)
     rows = tuple(
-        (", ".join(dict.fromkeys(titles)), *(", ".join(names) or "none" for names in key))
+        (
+            ", ".join(dict.fromkeys(titles)),
+            *(", ".join(names) or "none" for names in key),
+        )
         for key, titles in groups.items()
     )
     header = ("technique", "made for", "left out")

@@ -147,7 +147,9 @@ def test_what_all_rows_share_is_told_once(records):
 
 
 def test_what_was_left_out_is_told_by_technique(records):
-    plain = [replace(item, features=("midpoint",), left_out=("clip",)) for item in records]
+    plain = [
+        replace(item, features=("midpoint",), left_out=("clip",)) for item in records
+    ]
     rows = [replace(plain[0], left_out=("clip", "crop")), *plain[1:3]]
     table = feature_table([*rows, records[-1]])
     assert table.rows == (
