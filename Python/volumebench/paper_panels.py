@@ -13,7 +13,7 @@ from .paper import crossings, fastest
 from .plot import technique_color
 from .plot_style import log_ticks
 from .results import FrameLog, Record
-from .summary import is_peer, sampling_text
+from .summary import counted, is_peer, sampling_text
 from .technique_settings import settings_text, without
 from .techniques import TECHNIQUES
 
@@ -103,8 +103,17 @@ def box_panel(axes: Any, rows: list[Record], drawn: Drawn) -> None:
         box.set_facecolor(technique_color(row.technique))
     axes.tick_params(axis="y", labelsize=6.5)
     axes.invert_yaxis()
-    axes.set_xlim(left=0)
-    axes.set_xlabel("time of one frame (ms)")
+    axes.set_xlim(0, edge_of([row.frame_log.ms for row in shown]))
+    beyond = sum(ms > axes.get_xlim()[1] for row in shown for ms in row.frame_log.ms)
+    words = f"; {counted(beyond, 'frame')} beyond the edge" if beyond else ""
+    axes.set_xlabel(f"time of one frame (ms{words})")
+
+
+def edge_of(times: list[list[float]]) -> float:
+    """Return where an axis of times ends, so that a frame that took far longer than all others does
+    not leave the boxes without width."""
+    longest = max(map(max, times))
+    return 1.05 * min(longest, 3 * max(map(np.median, times)))
 
 
 def curves_of(

@@ -87,7 +87,7 @@ def _pieces(part: Part, kind: Kind) -> list[Part]:
     for row in part.rows:
         found.setdefault(row.technique, []).append(row)
     return [
-        Part(f"{TECHNIQUES[technique].title}: {part.title}", rows)
+        Part(f"{TECHNIQUES[technique].title}\n{part.title}", rows)
         for technique, rows in found.items()
         if kind.wanted(rows)
     ]

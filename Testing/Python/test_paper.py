@@ -11,7 +11,8 @@ from volumebench.__main__ import main
 from volumebench.error import ImageError
 from volumebench.errors import StudyError
 from volumebench.paper import fastest, matches, verdict_of
-from volumebench.paper_panels import curves_of, fps_of_frames, places_of_crossing
+from volumebench.paper_panels import curves_of, edge_of, fps_of_frames
+from volumebench.paper_panels import places_of_crossing
 from volumebench.paper_plot import spread_over_volumes
 from volumebench.paper_tables import paper_sentence, published_tables
 from volumebench.paper import Verdict, verdicts
@@ -290,6 +291,12 @@ def test_curves_that_cross_are_marked_where_they_do():
     (place,) = places_of_crossing(curves_of(off + on))
     at_4 = next(row.frame_ms.median for row in off if row.step_voxels == 4)
     assert place == pytest.approx((4, at_4), rel=0.02)
+
+
+def test_a_frame_that_took_far_longer_does_not_stretch_the_axis():
+    usual = [10.0, 11.0, 12.0, 13.0]
+    assert edge_of([usual, [5.0]]) == pytest.approx(1.05 * 13), "all are seen"
+    assert edge_of([[*usual, 9000.0]]) < 50
 
 
 def test_sentence_counts_in_words():
