@@ -36,6 +36,7 @@ class GroupWatch(Watch):
         group = "engine" if runs[0].path == ENGINE else "view"
         self._keeper = keeper
         self._left = list(runs)
+        self._asked = len(runs)
         self._volume = volume
         self._progress = progress
         self._title = runs[0].scene.title()
@@ -46,6 +47,11 @@ class GroupWatch(Watch):
         """Return the runs that have no row yet."""
         return list(self._left)
 
+    def next_request(self) -> list[Run]:
+        """Return the runs to ask for now; what is told of their share counts from here."""
+        self._asked = len(self._left)
+        return self.left()
+
     def take(self, records: list[Record]) -> None:
         """Keep rows, measured or not."""
         for record in records:
@@ -54,7 +60,10 @@ class GroupWatch(Watch):
             self._progress.finish(1)
 
     def __call__(self, partial_runs: float) -> None:
-        self._progress.show(self._title, partial_runs)
+        kept = self._asked - len(
+            self._left
+        )  # rows of this request, which count by themselves
+        self._progress.show(self._title, max(partial_runs - kept, 0))
 
     def frames(self, run: Run, log: FrameLog) -> None:
         self._keeper.progress_of(run).log.extend(log)

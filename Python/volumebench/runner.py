@@ -253,7 +253,7 @@ class Runner:
         """Measure runs that take turns; one that ends the process is left out, the others go on."""
         watch = GroupWatch(self, runs, volume, progress)
         without_culprit = 0
-        while left := watch.left():
+        while left := watch.next_request():
             try:
                 records = work(session, volume, left, watch)
                 watch.take([row for row in records if row.run() in watch.left()])

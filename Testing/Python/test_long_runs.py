@@ -125,12 +125,12 @@ def test_a_crash_takes_only_its_own_row(long_study, tmp_path):
 
 
 def test_a_hang_takes_only_its_own_row(long_study, tmp_path):
-    code, errors = finish(long_study, tmp_path, "--hang-limit", "1", fault="hang")
+    code, errors = finish(long_study, tmp_path, "--hang-limit", "5", fault="hang")
     assert code == 0, errors
     _, records = read_results(tmp_path / "results.json")
     failed = [row for row in records if row.status != "ok"]
     assert len(records) == 21 and len(failed) == 1
-    assert "hung: no sign of life for 1 s" in failed[0].reason
+    assert "hung: no sign of life for 5 s" in failed[0].reason
 
 
 def test_a_session_that_never_opens_is_one_clear_line(long_study, tmp_path):

@@ -4,13 +4,15 @@ import io
 import json
 import re
 from dataclasses import replace
+from types import SimpleNamespace
 
 import pytest
 from fakes import FakeSession, FakeStage
 from volumebench.__main__ import main, write_views
 from volumebench.errors import StudyError
+from volumebench.group_watch import GroupWatch
 from volumebench.progress import Progress, bar_line
-from volumebench.results import read_results
+from volumebench.results import read_results, record_of
 from volumebench.runner import Runner, find_inputs, prepare_folder
 from volumebench.study import Dataset, Timing
 from volumebench.summary import headlines, lines
@@ -231,6 +233,25 @@ def test_resume_of_a_finished_study_needs_no_session(calm, tmp_path, capsys):
     run_study(calm, folder)
     assert main([str(path), "--out", str(folder), "--resume"]) == 0
     assert "21 rows, 0 without a measurement" in capsys.readouterr().out
+
+
+def test_rows_that_are_kept_count_once_in_the_progress(calm, tmp_path):
+    """Two of four runs of the scene are kept when all four are said to be three quarters done."""
+    runs = calm.runs()[:4]
+    shown = []
+    progress = Progress(8, io.StringIO())
+    progress.show = lambda title, partial: shown.append(
+        progress.finished_runs + partial
+    )
+    keeper = SimpleNamespace(folder=tmp_path, keep=lambda record: None)
+    watch = GroupWatch(keeper, runs, None, progress)
+    assert watch.next_request() == runs
+    watch.take([record_of(run, None, None) for run in runs[:2]])
+    watch(3.0)
+    assert shown == [3.0]
+    assert watch.next_request() == runs[2:], "a new process begins with the others"
+    watch(1.0)
+    assert shown == [3.0, 3.0]
 
 
 def test_progress_bar_shows_share_and_remaining_time():
