@@ -1,21 +1,32 @@
 # The machinery behind Plugin/Techniques.cmake. A row is
 #   volumebench_technique(<id> CLASS <Class> LABEL "<label in ParaView>" [SETTINGS <name>...]
-#     [FOLDER <folder>] [REQUIRES <variable> "<what that is>"])
+#     [WITHOUT <name>...] [FOLDER <folder>] [REQUIRES <variable> "<what that is>"])
 # and gives: the factory entry, the source pair Techniques/<Class>.h/.cxx, the representation type
 # in ParaView's list, its panel, and a case in every image test. SETTINGS are the properties that
-# the panel shows for this technique and not for all. FOLDER, below the root, holds the pair in place of
-# Techniques/; a build in which the variable that REQUIRES names is false has no such technique.
+# the panel shows for this technique and not for all, WITHOUT those that it shows for all but a few.
+# FOLDER, below the root, holds the pair in place of Techniques/; a build in which the variable that
+# REQUIRES names is false has no such technique.
 set(volumebench_technique_ids "")
 set(volumebench_left_out_rows "")
 set(volumebench_technique_settings ErrorTarget Skipping TerminationThreshold RaySetUp Jitter JitterSeed
   WorkGroupShape OpenclDevice OpenclStorage PictureTransfer VoxelOrder SliceExtent SliceOrder
   SliceTarget SliceThreads)
+set(volumebench_common_settings StepVoxels Integrator)
+
+function(volumebench_expect_known id names known)
+  foreach(name IN LISTS names)
+    if(NOT "${name}" IN_LIST known)
+      list(JOIN known ", " known)
+      message(FATAL_ERROR "volumebench_technique(${id}): there is no ${name} here; known are ${known}")
+    endif()
+  endforeach()
+endfunction()
 
 function(volumebench_technique id)
-  cmake_parse_arguments(PARSE_ARGV 1 row "" "CLASS;LABEL;FOLDER" "REQUIRES;SETTINGS")
+  cmake_parse_arguments(PARSE_ARGV 1 row "" "CLASS;LABEL;FOLDER" "REQUIRES;SETTINGS;WITHOUT")
   if(NOT row_CLASS OR NOT row_LABEL OR row_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "volumebench_technique(${id}): CLASS and LABEL are needed, nothing else "
-      "but SETTINGS, FOLDER and REQUIRES")
+      "but SETTINGS, WITHOUT, FOLDER and REQUIRES")
   endif()
   if(row_REQUIRES)
     list(LENGTH row_REQUIRES words)
@@ -33,13 +44,8 @@ function(volumebench_technique id)
   if(NOT row_FOLDER)
     set(row_FOLDER Techniques)
   endif()
-  foreach(setting IN LISTS row_SETTINGS)
-    if(NOT "${setting}" IN_LIST volumebench_technique_settings)
-      list(JOIN volumebench_technique_settings ", " known)
-      message(FATAL_ERROR
-        "volumebench_technique(${id}): there is no setting ${setting}; known are ${known}")
-    endif()
-  endforeach()
+  volumebench_expect_known("${id}" "${row_SETTINGS}" "${volumebench_technique_settings}")
+  volumebench_expect_known("${id}" "${row_WITHOUT}" "${volumebench_common_settings}")
   if("${id}" IN_LIST volumebench_technique_ids)
     message(FATAL_ERROR "volumebench_technique(${id}): this technique is listed twice")
   endif()
@@ -48,7 +54,11 @@ function(volumebench_technique id)
   set("volumebench_class_${id}" "${row_CLASS}" PARENT_SCOPE)
   set("volumebench_folder_${id}" "${row_FOLDER}" PARENT_SCOPE)
   set("volumebench_label_${id}" "${row_LABEL}" PARENT_SCOPE)
-  set("volumebench_settings_${id}" "${row_SETTINGS}" PARENT_SCOPE)
+  set(settings ${volumebench_common_settings} ${row_SETTINGS})
+  if(row_WITHOUT)
+    list(REMOVE_ITEM settings ${row_WITHOUT})
+  endif()
+  set("volumebench_settings_${id}" "${settings}" PARENT_SCOPE)
 endfunction()
 
 # Writes the hints that show a property's row only while a technique with that setting is chosen.
@@ -100,6 +110,7 @@ endfunction()
 function(volumebench_generate_xml template xml_variable)
   set(REPRESENTATION_TYPES "")
   set(REPRESENTATION_DECORATORS "")
+  set(OTHER_REPRESENTATION_DECORATORS "")
   foreach(id IN LISTS volumebench_technique_ids)
     set(label "${volumebench_label_${id}}")
     string(APPEND REPRESENTATION_TYPES
@@ -108,8 +119,11 @@ function(volumebench_generate_xml template xml_variable)
     string(APPEND REPRESENTATION_DECORATORS
       "                  <PropertyWidgetDecorator type=\"GenericDecorator\" mode=\"visibility\"\n"
       "                    property=\"Representation\" value=\"${label}\" />\n")
+    string(APPEND OTHER_REPRESENTATION_DECORATORS
+      "                  <PropertyWidgetDecorator type=\"GenericDecorator\" mode=\"visibility\"\n"
+      "                    property=\"Representation\" value=\"${label}\" inverse=\"1\" />\n")
   endforeach()
-  foreach(setting IN LISTS volumebench_technique_settings)
+  foreach(setting IN LISTS volumebench_common_settings volumebench_technique_settings)
     volumebench_shown_for("${setting}" "SHOWN_FOR_${setting}")
   endforeach()
   list(JOIN volumebench_technique_ids ", " TECHNIQUE_IDS)

@@ -17,4 +17,5 @@ volumebench_technique(slices CLASS Slices LABEL "Volume Slices"
   SETTINGS Skipping Jitter JitterSeed SliceExtent SliceOrder SliceTarget)
 volumebench_technique(slices-threaded CLASS SlicesThreaded LABEL "Volume Slices Threaded"
   SETTINGS Skipping Jitter JitterSeed SliceExtent SliceOrder SliceTarget SliceThreads)
-volumebench_technique(reference CLASS Reference LABEL "Volume Reference")
+volumebench_technique(reference CLASS Reference LABEL "Volume Reference"
+  WITHOUT StepVoxels Integrator)

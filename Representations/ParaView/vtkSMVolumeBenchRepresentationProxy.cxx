@@ -1,10 +1,21 @@
 #include "vtkSMVolumeBenchRepresentationProxy.h"
 
+#include "Techniques/TechniqueTable.h"
+
 #include "vtkCommand.h"
+#include "vtkDataObject.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVRenderView.h"
 #include "vtkPVSession.h"
+#include "vtkSMArrayListDomain.h"
+#include "vtkSMPVRepresentationProxy.h"
 #include "vtkSMProperty.h"
+#include "vtkSMPropertyHelper.h"
+#include "vtkSMSessionProxyManager.h"
+
+#include <algorithm>
+#include <string>
+#include <vector>
 
 namespace
 {
@@ -14,6 +25,26 @@ constexpr const char* PictureRows[] = { "UsedText", "LeftOutText", "LastFrameMs"
 
 constexpr const char* ErrorRows[] = { "ErrorText", "ErrorRmse", "LargestError", "ReferenceSeconds",
   "FrameMs" };
+
+bool IsOurs(const std::string& type)
+{
+  const std::vector<volumebench::TechniqueRow>& rows = volumebench::TechniqueTable();
+  return std::any_of(rows.begin(), rows.end(),
+    [&type](const volumebench::TechniqueRow& row) { return type == row.Label; });
+}
+
+// The number of the first array of the points, as of any array if there is none of the points.
+unsigned int FirstOf(vtkSMArrayListDomain* arrays)
+{
+  for (unsigned int index = 0; index < arrays->GetNumberOfStrings(); ++index)
+  {
+    if (arrays->GetFieldAssociation(index) == vtkDataObject::POINT)
+    {
+      return index;
+    }
+  }
+  return 0;
+}
 }
 
 vtkStandardNewMacro(vtkSMVolumeBenchRepresentationProxy);
@@ -23,6 +54,47 @@ vtkSMVolumeBenchRepresentationProxy::vtkSMVolumeBenchRepresentationProxy() = def
 vtkSMVolumeBenchRepresentationProxy::~vtkSMVolumeBenchRepresentationProxy()
 {
   this->Follow(nullptr);
+}
+
+void vtkSMVolumeBenchRepresentationProxy::CreateVTKObjects()
+{
+  const bool created = this->ObjectsCreated != 0;
+  this->Superclass::CreateVTKObjects();
+  vtkSMProxy* parent = this->GetParentProxy();
+  if (created || !parent)
+  {
+    return;
+  }
+  if (vtkSMProperty* type = parent->GetProperty("Representation"))
+  {
+    type->AddObserver(
+      vtkCommand::ModifiedEvent, this, &vtkSMVolumeBenchRepresentationProxy::OnTypeChosen);
+  }
+  if (vtkSMProperty* shade = parent->GetProperty("Shade"))
+  {
+    shade->SetPanelVisibility("default"); // its group shows it for volumes alone
+  }
+}
+
+// At once and not with the next picture, so that the GUI undoes both together. A state file brings
+// its own array, or none on purpose.
+void vtkSMVolumeBenchRepresentationProxy::OnTypeChosen()
+{
+  vtkSMProxy* parent = this->GetParentProxy();
+  if (!parent || this->GetSessionProxyManager()->GetInLoadXMLState() ||
+    !IsOurs(vtkSMPropertyHelper(parent, "Representation").GetAsString()) ||
+    vtkSMPVRepresentationProxy::GetUsingScalarColoring(parent))
+  {
+    return;
+  }
+  vtkSMProperty* chosen = parent->GetProperty("ColorArrayName");
+  auto* arrays = chosen ? chosen->FindDomain<vtkSMArrayListDomain>() : nullptr;
+  if (arrays && arrays->GetNumberOfStrings() > 0)
+  {
+    const unsigned int first = FirstOf(arrays);
+    vtkSMPVRepresentationProxy::SetScalarColoring(
+      parent, arrays->GetString(first), arrays->GetFieldAssociation(first));
+  }
 }
 
 void vtkSMVolumeBenchRepresentationProxy::ViewUpdated(vtkSMProxy* view)

@@ -5,6 +5,9 @@
  * After each still picture of its view it fetches what the representation knows of the picture:
  * ParaView itself reads such properties once, when it makes the panel. What the picture used, left
  * out and took is known where it was drawn, so that is asked of the server when the server drew.
+ *
+ * It also gives our types in the Representation list what ParaView gives its own "Volume" by name:
+ * an array to colour by when none is chosen, and Shade among the rows that are not advanced.
  */
 #ifndef vtkSMVolumeBenchRepresentationProxy_h
 #define vtkSMVolumeBenchRepresentationProxy_h
@@ -27,12 +30,14 @@ protected:
   vtkSMVolumeBenchRepresentationProxy();
   ~vtkSMVolumeBenchRepresentationProxy() override;
 
+  void CreateVTKObjects() override;
   void UpdatePropertyInformationInternal(vtkSMProperty* property) override;
 
 private:
   vtkSMVolumeBenchRepresentationProxy(const vtkSMVolumeBenchRepresentationProxy&) = delete;
   void operator=(const vtkSMVolumeBenchRepresentationProxy&) = delete;
 
+  void OnTypeChosen();
   void Follow(vtkSMProxy* view);
   bool IsDrawnByServer();
   void OnRendered(vtkObject* view, unsigned long event, void* interactive);

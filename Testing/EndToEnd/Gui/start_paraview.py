@@ -1,0 +1,53 @@
+"""Starts ParaView's window with a script in it, as a new user would find it; returns its exit code.
+
+Usage: start_paraview.py SCRIPT [CHECK...] runs the script's `check_...` functions, or those named.
+Environment: VOLUMEBENCH_PLUGIN, the plugin's file; VOLUMEBENCH_PARAVIEW, the program; DISPLAY.
+"""
+
+import os
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+SIZE = "1500x1000+0+0"
+TIME_LIMIT_S = 280
+HERE = Path(__file__).resolve().parent
+# ParaView gives its script no file name, and goes on when it fails.
+BOOT = """
+import os, sys, traceback
+sys.path[:0] = {folders!r}
+try:
+    import window
+    window.run_script({name!r}, {checks!r})
+except BaseException:
+    traceback.print_exc(file=sys.__stdout__)
+    sys.__stdout__.flush()
+    os._exit(1)
+"""
+SETTINGS = "[General]\nGeneralSettings.ShowWelcomeDialog=false\n"
+
+
+def start(script: Path, checks: list[str]) -> int:
+    """Run ParaView with an empty home; its settings are no one's."""
+    with tempfile.TemporaryDirectory(prefix="volumebench-gui-") as home:
+        folder = Path(home, ".config", "ParaView")
+        folder.mkdir(parents=True)
+        (folder / "ParaView5.11.0.ini").write_text(SETTINGS)
+        folders = [str(one) for one in (script.parent, HERE, HERE.parent)]
+        boot = Path(home, "boot.py")
+        boot.write_text(BOOT.format(folders=folders, name=script.stem, checks=checks))
+        environment = {
+            **os.environ,
+            "HOME": home,
+            "XDG_CONFIG_HOME": str(folder.parent),
+            "XDG_RUNTIME_DIR": home,
+        }
+        program = os.environ.get("VOLUMEBENCH_PARAVIEW", "paraview")
+        command = [program, f"--script={boot}", "-geometry", SIZE]
+        done = subprocess.run(command, env=environment, timeout=TIME_LIMIT_S)
+    return done.returncode
+
+
+if __name__ == "__main__":
+    sys.exit(start(Path(sys.argv[1]).resolve(), sys.argv[2:]))
