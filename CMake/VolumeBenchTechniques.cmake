@@ -137,3 +137,23 @@ function(volumebench_generate_xml template xml_variable)
   configure_file("${template}" "${xml}" @ONLY)
   set("${xml_variable}" "${xml}" PARENT_SCOPE)
 endfunction()
+
+# Writes all server-manager XML of the plugin, and lists the files in the variable. Needs no ParaView:
+# the reference in the documentation is made of them too.
+function(volumebench_generate_plugin_xml files_variable)
+  set(rows "${PROJECT_SOURCE_DIR}/Representations/ParaView")
+  set(benchmark "${PROJECT_SOURCE_DIR}/Plugin/Benchmark")
+  volumebench_generate_xml("${rows}/Representations.xml.in" representations_xml
+    "OPENCL_ROWS=${rows}/OpenClRows.xml.in"
+    "READ_ONLY_ROWS=${rows}/ReadOnlyRows.xml.in"
+    "PANEL_GROUPS=${rows}/PanelGroups.xml.in")
+  volumebench_generate_xml("${benchmark}/Benchmark.xml.in" benchmark_xml)
+  volumebench_generate_xml("${benchmark}/Stability/Stability.xml.in" stability_xml)
+  set("${files_variable}"
+    "${representations_xml}"
+    "${benchmark_xml}"
+    "${benchmark}/ErrorChart.xml"
+    "${stability_xml}"
+    "${PROJECT_SOURCE_DIR}/Plugin/Readers/Readers.xml"
+    PARENT_SCOPE)
+endfunction()

@@ -3,6 +3,12 @@
 #include "StageMedians.h"
 #include "TableColumns.h"
 
+#include <algorithm>
+#include <iterator>
+#include <limits>
+#include <set>
+#include <string>
+
 namespace volumebench
 {
 namespace
@@ -70,6 +76,39 @@ void FillErrors(Columns& columns)
   columns.Number(
     "error.image_size.h", [](const RunResult& r) { return PixelsOrNan(r.ErrorHeight); });
 }
+}
+
+namespace
+{
+bool HasPlace(const RunResult& run)
+{
+  return run.Status == "ok" && run.Error.Rmse > 0.0 && run.FrameMs.Median > 0.0;
+}
+
+std::string CurveOf(const RunResult& run)
+{
+  const std::string settings = run.Settings.empty() ? "" : " " + SettingsJson(run.Settings);
+  return run.Technique + (run.Integrator.empty() ? "" : " " + run.Integrator) + settings;
+}
+}
+
+void FillErrorCurves(const std::vector<RunResult>& results, vtkTable* table)
+{
+  std::vector<RunResult> placed;
+  std::copy_if(results.begin(), results.end(), std::back_inserter(placed), HasPlace);
+  Columns columns(placed, table);
+  columns.Number(ErrorCurvesX, [](const RunResult& r) { return r.FrameMs.Median; });
+  std::set<std::string> known;
+  for (const RunResult& run : placed)
+  {
+    const std::string curve = CurveOf(run);
+    if (known.insert(curve).second)
+    {
+      columns.Number(curve,
+        [&curve](const RunResult& r)
+        { return CurveOf(r) == curve ? r.Error.Rmse : std::numeric_limits<double>::quiet_NaN(); });
+    }
+  }
 }
 
 void FillErrorTable(const std::vector<RunResult>& results, vtkTable* table)

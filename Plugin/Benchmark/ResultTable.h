@@ -16,6 +16,14 @@ VOLUMEBENCHBENCHMARK_EXPORT void FillResultTable(const std::vector<RunResult>& r
 /// Only the columns of the error, without what it was measured against.
 VOLUMEBENCHBENCHMARK_EXPORT void FillErrorTable(
   const std::vector<RunResult>& results, vtkTable* table);
+
+/// One row per run that has an error: ErrorCurvesX, the median frame time in ms, and a column of
+/// RMSEs per technique, integrator and variant, NaN in the rows of others. A logarithmic axis has
+/// no place for no error, so exact runs have no row.
+VOLUMEBENCHBENCHMARK_EXPORT void FillErrorCurves(
+  const std::vector<RunResult>& results, vtkTable* table);
+/// ParaView's charts draw no curve of a column whose name begins so.
+constexpr const char* ErrorCurvesX = "X frame_ms";
 }
 
 #endif

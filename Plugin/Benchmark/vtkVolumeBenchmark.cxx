@@ -55,6 +55,7 @@ void CheckAscending(const std::vector<double>& points, int stride, const char* w
 
 vtkVolumeBenchmark::vtkVolumeBenchmark()
 {
+  this->SetNumberOfOutputPorts(2);
   this->SetInputArrayToProcess(
     0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS, vtkDataSetAttributes::SCALARS);
 }
@@ -153,15 +154,17 @@ int vtkVolumeBenchmark::RequestData(
 {
   vtkImageData* image = vtkImageData::GetData(inputVector[0], 0);
   vtkTable* table = vtkTable::GetData(outputVector, 0);
+  vtkTable* curves = vtkTable::GetData(outputVector, 1);
   try
   {
-    this->Measure(image, table);
+    this->Measure(image, table, curves);
   }
   catch (const std::exception& error)
   {
     // The pipeline goes on with an empty table: a failure would add a second, vaguer error.
     vtkErrorMacro("Nothing measured: " << error.what());
     table->Initialize();
+    curves->Initialize();
   }
   return 1;
 }
@@ -214,7 +217,7 @@ volumebench::ExperimentSettings vtkVolumeBenchmark::MakeSettings() const
   return settings;
 }
 
-void vtkVolumeBenchmark::Measure(vtkImageData* image, vtkTable* table)
+void vtkVolumeBenchmark::Measure(vtkImageData* image, vtkTable* table, vtkTable* curves)
 {
   const volumebench::ExperimentSettings settings = this->MakeSettings();
   bool onCells = false;
@@ -246,6 +249,7 @@ void vtkVolumeBenchmark::Measure(vtkImageData* image, vtkTable* table)
     },
     [this](std::string note) { this->InvokeEvent(vtkCommand::UserEvent, note.data()); });
   volumebench::FillResultTable(results, settings, this->CameraPath, table);
+  volumebench::FillErrorCurves(results, curves);
 }
 
 vtkDataArray* vtkVolumeBenchmark::ChooseArray(vtkImageData* image, bool& onCells)

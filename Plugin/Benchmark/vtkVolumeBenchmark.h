@@ -8,7 +8,7 @@
  * round the y axis. Column names are the keys of results.json, nested ones joined by dots;
  * stages_ms and settings hold JSON objects. NaN and empty strings stand for what was not measured.
  * Times are milliseconds, errors are on linear premultiplied float RGBA in [0, 1] over the union
- * footprint.
+ * footprint. The second port has the same errors as curves over the frame time, for a chart.
  *
  * While it measures, it invokes vtkCommand::UserEvent with the text of each note
  * (ExperimentNotes.h).
@@ -260,7 +260,7 @@ private:
   void operator=(const vtkVolumeBenchmark&) = delete;
 
   volumebench::ExperimentSettings MakeSettings() const;
-  void Measure(vtkImageData* image, vtkTable* table);
+  void Measure(vtkImageData* image, vtkTable* table, vtkTable* curves);
   vtkDataArray* ChooseArray(vtkImageData* image, bool& onCells);
   void FillProperty(vtkImageData* image, const double range[2], vtkVolumeProperty* property);
   void Append(std::vector<double>& points, std::initializer_list<double> values);

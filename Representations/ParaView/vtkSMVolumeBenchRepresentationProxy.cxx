@@ -94,6 +94,7 @@ void vtkSMVolumeBenchRepresentationProxy::OnTypeChosen()
     const unsigned int first = FirstOf(arrays);
     vtkSMPVRepresentationProxy::SetScalarColoring(
       parent, arrays->GetString(first), arrays->GetFieldAssociation(first));
+    vtkSMPVRepresentationProxy::RescaleTransferFunctionToDataRange(parent, true);
   }
 }
 

@@ -149,7 +149,10 @@ def check_switching_colours_by_an_array_and_undo_takes_it_back() -> None:
     represent("Volume Compute")
     coloured = list(display.ColorArrayName)
     assert coloured == ["POINTS", "RTData"], coloured
-    assert display.LookupTable and display.ScalarOpacityFunction
+    points = list(display.ScalarOpacityFunction.Points)
+    assert (
+        30 < points[0] < 40 and 270 < points[-4] < 280
+    ), f"not the data's range: {points}"
     trigger("Edit", "Undo Change representation type")
     assert display.Representation == "Outline", display.Representation
     assert not display.ColorArrayName[1], display.ColorArrayName

@@ -22,6 +22,7 @@ from PyQt5.QtWidgets import (
     QAbstractButton,
     QAction,
     QApplication,
+    QCheckBox,
     QComboBox,
     QDockWidget,
     QFrame,
@@ -33,6 +34,7 @@ from PyQt5.QtWidgets import (
     QTreeView,
     QWidget,
 )
+from vtkmodules.util.numpy_support import vtk_to_numpy
 
 PATIENCE_S = 40.0
 SETTLED_MS = 150
@@ -170,6 +172,12 @@ def click(widget: QWidget, at: QPoint = QPoint()) -> None:
     settle()
 
 
+def tick(name: str) -> None:
+    """Switch the box of a row of the representation on or off."""
+    box = row(name).findChild(QCheckBox)
+    click(box, QPoint(8, box.height() // 2))
+
+
 def press(parent: QWidget, name: str) -> None:
     """Press the button of this object name or text."""
     for one in parent.findChildren(QAbstractButton):
@@ -276,12 +284,14 @@ def answer_dialogs(answers: list[str]) -> QTimer:
 
 
 def view_picture() -> np.ndarray:
-    """Return what the active view shows, RGB in 0..1, row 0 on top."""
-    from vtkmodules.util.numpy_support import vtk_to_numpy
-
+    """Draw the active view still and return what it shows, RGB in 0..1, row 0 on top."""
     view = simple.GetActiveView()
     simple.Render(view)
-    image = view.SMProxy.CaptureWindow(1)
+    return picture_of(view.SMProxy.CaptureWindow(1))
+
+
+def picture_of(image: Any) -> np.ndarray:
+    """Return the colours of image data, row 0 on top."""
     width, height, _ = image.GetDimensions()
     values = vtk_to_numpy(image.GetPointData().GetScalars())
     return values.reshape(height, width, -1)[::-1, :, :3] / 255.0
