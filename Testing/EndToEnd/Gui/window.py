@@ -3,6 +3,7 @@
 Runs in ParaView's own process. PyQt5 is bound to the same Qt, so its widgets are ParaView's.
 """
 
+import faulthandler
 import html
 import importlib
 import os
@@ -37,6 +38,7 @@ from PyQt5.QtWidgets import (
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 PATIENCE_S = 40.0
+HANG_S = 270
 SETTLED_MS = 150
 
 
@@ -339,6 +341,8 @@ def run_script(name: str, only: list[str]) -> None:
             report(traceback.format_exc())
             os._exit(1)
 
+    # Shorter than what start_paraview.py waits: a test that hangs tells where.
+    faulthandler.dump_traceback_later(HANG_S, exit=True, file=sys.__stdout__)
     QTimer.singleShot(200, guarded)
 
 
