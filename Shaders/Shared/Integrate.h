@@ -138,7 +138,7 @@ FUNC vec4 pixelOf(SCENE_PARAM March march, int count)
   return sampleColor(SCENE TO_REAL(march.taken * SAMPLES_OF_STEP));
 #elif WITH_SAMPLE_COUNT
   bool stopped = isStopped(SCENE march);
-#if GRADED_STEPS
+#if WITH_ADAPTIVE_STEPS && GRADED_STEPS
   int skipped = stopped || count < march.covered ? march.skipped : count - march.covered;
 #else
   // Rounding may leave a sliver beyond the last step, which is no sample of its own.

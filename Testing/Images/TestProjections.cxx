@@ -166,6 +166,7 @@ TEST_P(Projections, SamplesAreCountedPerRay)
     RenderScene scene(GetParam(), image, MakeConstantProperty(0.1));
     scene.LookAlongZ(5.0);
     scene.Mapper->SetStepVoxels(step);
+    scene.Mapper->SetSkipping(false); // else one step crosses all of what is homogeneous
     scene.Mapper->CountSamplesOn();
     const FloatPicture picture = scene.Picture();
     for (int y = 0; y < 64; ++y)
