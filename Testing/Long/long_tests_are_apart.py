@@ -8,7 +8,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 # Stands in for what runs, and writes it down.
-STUB = """
+RECORDING_TOOLS = """
 set -euo pipefail
 root=$1 python=python
 source "$2/Tools/tests.sh"
@@ -61,7 +61,7 @@ def commands_of_run(*options: str, fails: str = "nothing") -> tuple[list[str], i
     """Return what `./run test` would start, in order, and its exit status."""
     with tempfile.TemporaryDirectory() as folder:
         done = subprocess.run(
-            ["bash", "-c", STUB, "stub", folder, str(ROOT), *options],
+            ["bash", "-c", RECORDING_TOOLS, "recording-tools", folder, str(ROOT), *options],
             capture_output=True,
             text=True,
             env={"PATH": "/usr/bin:/bin", "FAILS": fails},
