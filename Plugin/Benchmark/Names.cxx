@@ -49,8 +49,9 @@ std::vector<int> NameTable::Numbers() const
 
 const NameTable& IntegratorNames()
 {
-  static const NameTable names(
-    "integrator", { { "Left", 0 }, { "Midpoint", 1 }, { "Segment", 2 }, { "PreIntegrated", 3 } });
+  static const NameTable names("integrator",
+    { { "Left", 0 }, { "Midpoint", 1 }, { "Segment", 2 }, { "PreIntegrated", 3 },
+      { "Automatic", 4 } });
   return names;
 }
 

@@ -47,7 +47,7 @@ public:
   ///@}
 
   ///@{
-  /** Integrators by name, "Left", "Midpoint", "Segment" or "PreIntegrated". */
+  /** Integrators by name, "Left", "Midpoint", "Segment", "PreIntegrated" or "Automatic". */
   void AddIntegrator(const char* name);
   void ClearIntegrators();
   ///@}

@@ -64,7 +64,9 @@ public:
    * 0: Left, sampled where a step begins (first order); 1: Midpoint (second order, default); 2:
    * Segment, each step taken from prefix integrals of the transfer function between the values at
    * its two ends: exact for narrow peaks and opaque steps; 3: PreIntegrated, the same from a table
-   * over both values (Engel et al. 2001). Matters for the blend modes Composite and Gradient.
+   * over both values (Engel et al. 2001); 4: Automatic, Midpoint where the picture is expected to
+   * err by no more than 1e-3 with it, else Segment. Matters for the blend modes Composite and
+   * Gradient.
    */
   vtkSetMacro(Integrator, int);
   vtkGetMacro(Integrator, int);

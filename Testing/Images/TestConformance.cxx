@@ -4,6 +4,7 @@
 #include "EveryTechnique.h"
 #include "Error/ImageError.h"
 #include "KeptPictures.h"
+#include "Scene/IntegratorChoice.h"
 
 #include <iostream>
 #include <map>
@@ -226,6 +227,29 @@ protected:
     }
   }
 
+  // Automatic draws what Midpoint or Segment does, and Midpoint only where it is good enough.
+  void CompareChoice(double step)
+  {
+    const std::string technique = AllTechniques().front();
+    std::map<int, FloatPicture> pictures;
+    for (const int integrator : { 1, 2, 4 })
+    {
+      this->Draw(technique, { step });
+      this->Scenes[technique]->Mapper->SetIntegrator(integrator);
+      pictures[integrator] = this->Draw(technique, { step });
+    }
+    this->Scenes[technique]->Mapper->SetIntegrator(1);
+    const bool midpoint = pictures[4].Pixels == pictures[1].Pixels;
+    EXPECT_TRUE(midpoint || pictures[4].Pixels == pictures[2].Pixels) << "neither of both";
+    const double ofMidpoint = CompareImages(pictures[1], this->Reference).Rmse;
+    const double ofSegment = CompareImages(pictures[2], this->Reference).Rmse;
+    std::cout << "[ MEASURED ] " << GetParam().Name << " step " << step << " automatic is "
+              << (midpoint ? "Midpoint" : "Segment") << "; rmse " << ofMidpoint << " and "
+              << ofSegment << "\n";
+    EXPECT_LE(midpoint ? ofMidpoint : ofSegment, std::max(SufficientError, 1.05 * ofSegment))
+      << "at step " << step;
+  }
+
   vtkSmartPointer<vtkImageData> Image;
   FloatPicture Reference;
   std::map<std::string, std::unique_ptr<RenderScene>> Scenes; // by technique
@@ -245,6 +269,10 @@ TEST_P(Conformance, EveryTechniqueMeetsTheReference)
   for (const std::string& technique : Techniques(true))
   {
     this->CompareSlices(technique, errorOfRays);
+  }
+  for (const double step : { 2.0, 1.0, 0.5 })
+  {
+    this->CompareChoice(step);
   }
 }
 

@@ -34,6 +34,7 @@ constexpr int Left = 0;
 constexpr int Midpoint = 1;
 constexpr int Segment = 2;
 constexpr int PreIntegrated = 3;
+constexpr int Automatic = 4; // has to pass what Segment has to
 
 /// Where the sampling does not matter at all, or all that matters is where the ray runs.
 inline std::vector<int> All()

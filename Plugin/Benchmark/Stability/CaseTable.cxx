@@ -7,10 +7,12 @@ namespace volumebench
 {
 bool StabilityCase::IsMeantFor(const Subject& subject) const
 {
+  const auto isMeantFor = [this](int integrator)
+  { return std::count(this->MeantFor.begin(), this->MeantFor.end(), integrator) > 0; };
   // A technique without integrators has to be right everywhere.
   return !subject.Peer &&
-    (subject.Integrator == NoIntegrator ||
-      std::count(this->MeantFor.begin(), this->MeantFor.end(), subject.Integrator) > 0);
+    (subject.Integrator == NoIntegrator || isMeantFor(subject.Integrator) ||
+      (subject.Integrator == integrators::Automatic && isMeantFor(integrators::Segment)));
 }
 
 const std::vector<StabilityCase>& StabilityCases()

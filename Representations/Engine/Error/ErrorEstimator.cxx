@@ -38,7 +38,8 @@ double SecondsSince(Clock::time_point begin)
 
 std::string SettingsOf(vtkVolumeBenchMapper* mapper)
 {
-  const std::array<const char*, 4> integrators{ "Left", "Midpoint", "Segment", "PreIntegrated" };
+  const std::array<const char*, 5> integrators{ "Left", "Midpoint", "Segment", "PreIntegrated",
+    "Automatic" };
   const auto integrator = static_cast<std::size_t>(mapper->GetIntegrator());
   char step[40];
   std::snprintf(step, sizeof(step), "%g", mapper->GetStepVoxels());

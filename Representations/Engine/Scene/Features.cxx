@@ -134,6 +134,10 @@ const char* WhyNoEmptyMargin(const Scene& s)
 
 const char* WhyNotIntegrator(const Scene& s, Integrator integrator)
 {
+  if (s.Sampling.ChoosesIntegrator && Composites(s) && integrator == Integrator::Segment)
+  {
+    return s.Volume.Nearest ? "values are not interpolated" : "Midpoint suffices";
+  }
   return s.Sampling.Integration == integrator ? "no effect in this blend mode" : NotChosen;
 }
 

@@ -153,7 +153,8 @@ enum class Integrator
   Left = 0,     // sample at the beginning of a step, first order (as VTK's mapper)
   Midpoint = 1, // sample in its middle, second order
   Segment = 2,  // prefix integrals between its ends, second order or better, exact for narrow peaks
-  PreIntegrated = 3 // table over the values at both ends of a step
+  PreIntegrated = 3, // table over the values at both ends of a step
+  Automatic = 4      // Midpoint where that suffices, else Segment; a built scene has either
 };
 
 enum class RaySetUp
@@ -224,6 +225,7 @@ enum class PictureTransfer
 struct Sampling
 {
   Integrator Integration = Integrator::Midpoint;
+  bool ChoosesIntegrator = false; // Automatic was asked for
   RaySetUp SetUp = RaySetUp::Rasterised;
   double StepVoxels = 0.5;
   bool Jitter = false; // move each pixel's steps by a random share of one

@@ -3,7 +3,6 @@
 #include "Scene/CameraBuilder.h"
 #include "Scene/CellMap.h"
 #include "Scene/CheckScene.h"
-#include "Scene/FieldChanges.h"
 #include "Scene/FromVtk.h"
 #include "Scene/KernelScene.h"
 #include "Scene/Features.h"
@@ -14,6 +13,7 @@
 #include "Scene/StepLengths.h"
 #include "Scene/WorkGroup.h"
 #include "Scene/TransferFunctionTable.h"
+#include "Stopwatch.h"
 #include "vtkVolumeBenchMapper.h"
 
 #include "vtkImageData.h"
@@ -24,7 +24,6 @@
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 namespace volumebench
@@ -76,7 +75,7 @@ Slicing BuildSlicing(vtkVolumeBenchMapper* mapper)
 Sampling BuildSampling(vtkVolumeBenchMapper* mapper)
 {
   Sampling sampling;
-  sampling.Integration = static_cast<Integrator>(Checked(mapper->GetIntegrator(), 3, "integrator"));
+  sampling.Integration = static_cast<Integrator>(Checked(mapper->GetIntegrator(), 4, "integrator"));
   sampling.SetUp = static_cast<RaySetUp>(mapper->GetRaySetUp());
   sampling.StepVoxels = mapper->GetStepVoxels();
   sampling.TerminationThreshold = mapper->GetTerminationThreshold();
@@ -247,26 +246,39 @@ double MeanEdge(const Volume& volume)
 }
 
 // `largestTable` holds for the prefix integrals too, which have two entries more.
-void SceneBuilder::BuildFunction(vtkVolumeProperty* property, Scene& scene, int largestTable)
+void SceneBuilder::BuildTable(vtkVolumeProperty* property, Scene& scene, int largestTable)
+{
+  const Volume& volume = scene.Volume;
+  ChangeStamp stamp = property->GetMTime();
+  ExtendStamp(stamp, volume.Stamp);
+  ExtendStamp(stamp, volume.FiniteRange[0]);
+  ExtendStamp(stamp, volume.FiniteRange[1]);
+  ExtendStamp(stamp, largestTable);
+  ExtendStamp(stamp, scene.Sampling.TableSize);
+  if (stamp != this->TableStamp)
+  {
+    this->TableStamp = 0;
+    this->Table = BuildTransferFunction(property, volume.FiniteRange,
+      { largestTable - 2, scene.Sampling.TableSize },
+      volume.Channels == 2 ? volume.ColorRange : nullptr);
+    this->TableStamp = stamp;
+  }
+  scene.TransferFunction = this->Table;
+}
+
+// Adds to the table what the scene's integrator has beside it.
+void SceneBuilder::AddIntegrals(Scene& scene)
 {
   const bool prefix = Has(FeaturesNeededBy(scene), Feature::Segment);
   const bool segments = Has(FeaturesNeededBy(scene), Feature::PreIntegrated);
   const double length = scene.Sampling.StepVoxels * MeanEdge(scene.Volume);
-  ChangeStamp stamp = property->GetMTime();
-  ExtendStamp(stamp, scene.Volume.Stamp);
+  ChangeStamp stamp = this->TableStamp;
   ExtendStamp(stamp, prefix);
   ExtendStamp(stamp, segments ? length : 0.0);
-  ExtendStamp(stamp, scene.Volume.FiniteRange[0]);
-  ExtendStamp(stamp, scene.Volume.FiniteRange[1]);
-  ExtendStamp(stamp, largestTable);
-  ExtendStamp(stamp, scene.Sampling.TableSize);
   if (stamp != this->FunctionStamp)
   {
     this->FunctionStamp = 0;
-    const Volume& volume = scene.Volume;
-    this->Function = BuildTransferFunction(property, volume.FiniteRange,
-      { largestTable - 2, scene.Sampling.TableSize },
-      volume.Channels == 2 ? volume.ColorRange : nullptr);
+    this->Function = this->Table;
     if (prefix)
     {
       BuildPrefixTable(this->Function);
@@ -295,25 +307,9 @@ void SceneBuilder::BuildSkipping(Scene& scene)
   {
     return;
   }
-  const int edge = scene.Sampling.MacrocellVoxels > 0 ? scene.Sampling.MacrocellVoxels
-                                                      : SuitableMacrocellEdge(scene.Volume.Texels);
-  const auto begin = std::chrono::steady_clock::now();
-  ChangeStamp gridStamp = scene.Volume.TexelStamp;
-  ExtendStamp(gridStamp, edge);
-  const bool newGrid = gridStamp != this->GridStamp;
-  if (newGrid)
-  {
-    this->Grid = std::make_shared<MacrocellGrid>(BuildMacrocellGrid(scene.Volume, edge));
-    this->GridStamp = gridStamp;
-  }
   const bool extreme = mode == BlendMode::Maximum || mode == BlendMode::Minimum;
   const bool graded = CanGradeSteps(scene);
-  if (graded && gridStamp != this->ChangesStamp)
-  {
-    this->Changes = MeasureFieldChanges(scene.Volume, *this->Grid);
-    this->ChangesStamp = gridStamp;
-  }
-  ChangeStamp stamp = gridStamp;
+  ChangeStamp stamp = MacrocellCache::StampOf(scene);
   if (graded || !WhyNoHomogeneousCells(scene))
   {
     ExtendStamp(stamp, StepLengthsStampOf(scene));
@@ -322,14 +318,16 @@ void SceneBuilder::BuildSkipping(Scene& scene)
   ExtendStamp(stamp, mode);
   if (stamp != this->SkipsStamp)
   {
-    CellMap cells = extreme ? MapExtremes(*this->Grid, scene)
-      : graded              ? MapGradedCells(*this->Grid, this->Changes, scene)
-                            : MapOccupiedCells(*this->Grid, scene);
+    const MacrocellGrid& grid = this->Cells.GridOf(scene);
+    const double choosingMs = this->Choice.TakeMs();
+    const Stopwatch watch;
+    CellMap cells = extreme ? MapExtremes(grid, scene)
+      : graded              ? MapGradedCells(grid, this->Cells.ChangesOf(scene), scene)
+                            : MapOccupiedCells(grid, scene);
     cells.Stamp = stamp;
     this->Skips.Cells = std::make_shared<CellMap>(std::move(cells));
     this->SkipsStamp = stamp;
-    this->Skips.GridMs =
-      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+    this->Skips.GridMs = watch.ElapsedMs() + this->Cells.TakeMs() + choosingMs;
   }
   scene.Skipping = this->Skips;
   if (graded)
@@ -373,13 +371,15 @@ Scene SceneBuilder::Build(vtkVolumeBenchMapper* mapper, vtkRenderer* renderer, v
   scene.Volume.FiniteRange[0] = range.Low;
   scene.Volume.FiniteRange[1] = range.High;
   RefuseUnsupported(scene, mapper, property);
-  this->BuildFunction(property, scene, target.LargestTable);
   scene.Camera = BuildCamera(renderer, target.Viewport);
   scene.Lighting = BuildLighting(renderer, property);
   scene.Lighting.Damping = mapper->GetLightingDamping();
   scene.Clip = BuildClip(mapper, renderer);
-  CheckScene(scene);
   scene.Sampling.StepsMayVary = target.StepsMayVary;
+  this->BuildTable(property, scene, target.LargestTable);
+  this->Choice.Choose(this->Cells, scene);
+  this->AddIntegrals(scene);
+  CheckScene(scene);
   this->BuildSkipping(scene);
   return scene;
 }

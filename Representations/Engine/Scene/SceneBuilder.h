@@ -5,7 +5,8 @@
 
 #include "VolumeBenchEngineModule.h"
 
-#include "Scene/MacrocellGrid.h"
+#include "Scene/IntegratorChoice.h"
+#include "Scene/MacrocellCache.h"
 #include "Scene/Scene.h"
 #include "Scene/SegmentTable.h"
 #include "Scene/VolumeBuilder.h"
@@ -45,18 +46,19 @@ public:
   ScalarRange RangeOf(vtkVolumeBenchMapper* mapper, vtkVolume* volume, vtkImageData* image);
 
 private:
-  void BuildFunction(vtkVolumeProperty* property, Scene& scene, int largestTable);
+  void BuildTable(vtkVolumeProperty* property, Scene& scene, int largestTable);
+  void AddIntegrals(Scene& scene);
   void BuildSkipping(Scene& scene);
   Volume BuildVolume(vtkVolumeBenchMapper* mapper, vtkVolume* volume, vtkImageData* image);
 
   VolumeBuilder Volumes;
-  TransferFunction Function; // kept while its sources are unchanged
+  TransferFunction Table; // kept while its sources are unchanged
+  ChangeStamp TableStamp = 0;
+  MacrocellCache Cells;
+  IntegratorChoice Choice;
+  TransferFunction Function; // Table and the integrals that FunctionStamp tells
   ChangeStamp FunctionStamp = 0;
-  SegmentTable Segments;                     // of Function
-  std::shared_ptr<const MacrocellGrid> Grid; // of the volume with GridStamp
-  ChangeStamp GridStamp = 0;
-  std::vector<glm::vec2> Changes; // of the grid with ChangesStamp
-  ChangeStamp ChangesStamp = 0;
+  SegmentTable Segments;       // of Function
   volumebench::Skipping Skips; // of the grid and the function with SkipsStamp
   ChangeStamp SkipsStamp = 0;
 };

@@ -6,6 +6,7 @@
 
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
+#include <glm/vec2.hpp>
 
 #include <algorithm>
 #include <array>
@@ -47,31 +48,54 @@ double Passing(double depth)
   return depth < 1.0e-4 ? 1.0 - depth : -std::expm1(-2.0 * depth) / (2.0 * depth);
 }
 
+// What of a cell its errors depend on.
+struct CellLook
+{
+  FunctionChanges::Range Entries{ 0, 0 };
+  double Entry = 0.0;  // entries of the table that its values span
+  double Change = 0.0; // and that they change by over a voxel
+  double Bend = 0.0;   // and that they depart from a straight line by
+  double Extinction = 0.0;
+  double LengthVoxels = 0.0;
+};
+
+CellLook LookOf(
+  const FunctionChanges& function, int edgeVoxels, const glm::vec2& range, const glm::vec2& change)
+{
+  const FunctionChanges::Range entries = function.RangeOf(range.x, range.y);
+  return { entries, (range.y - range.x) * function.PerValue(), change.x * function.PerValue(),
+    change.y * function.PerValue(), function.MeanExtinction(entries),
+    static_cast<double>(edgeVoxels) };
+}
+
+// Of what a cell adds to a pixel, with steps of this many voxels.
+double ErrorOf(const CellLook& cell, const FunctionChanges& function, const ErrorModel& model,
+  double voxel, double step)
+{
+  const double length = voxel * cell.LengthVoxels;
+  // A long step passes through the values of several cells.
+  const double all = cell.Entry * std::max(1.0, step / cell.LengthVoxels);
+  const double straight = std::min(cell.Change * step, all);
+  const double bent = std::min(model.Bent * cell.Bend * step * step, all);
+  const double integral =
+    model.Straight * function.Second(cell.Entries, straight) + function.First(cell.Entries, bent);
+  const double depth = cell.Extinction * length;
+  const double order = model.Color * FrontWeight(cell.Extinction * voxel * step) *
+    -std::expm1(-depth) * function.Color(cell.Entries, straight);
+  return Passing(depth) * length * integral + order;
+}
+
 using CellErrors = std::array<float, GradeCount>;
 
-CellErrors ErrorsOf(const Scene& scene, const FunctionChanges& function, int edgeVoxels,
-  const glm::vec2& range, const glm::vec2& change)
+CellErrors ErrorsOf(const CellLook& cell, const FunctionChanges& function, const Scene& scene)
 {
   const bool segment = scene.Sampling.Integration == Integrator::Segment;
   const ErrorModel& model = segment ? SegmentModel : MidpointModel;
-  const double voxel = VoxelLength(scene);
-  const FunctionChanges::Range entries = function.RangeOf(range.x, range.y);
-  const double cell = (range.y - range.x) * function.PerValue();
-  const double extinction = function.MeanExtinction(entries);
-  const double depth = extinction * voxel * edgeVoxels;
   CellErrors errors;
   for (int i = 0; i < GradeCount; ++i)
   {
     const double step = std::ldexp(scene.Sampling.StepVoxels, i + FinestGrade);
-    // A long step passes through the values of several cells.
-    const double all = cell * std::max(1.0, step / edgeVoxels);
-    const double straight = std::min(change.x * step * function.PerValue(), all);
-    const double bent = std::min(model.Bent * change.y * step * step * function.PerValue(), all);
-    const double integral =
-      model.Straight * function.Second(entries, straight) + function.First(entries, bent);
-    const double order = model.Color * FrontWeight(extinction * voxel * step) *
-      -std::expm1(-depth) * function.Color(entries, straight);
-    errors[i] = static_cast<float>(Passing(depth) * voxel * edgeVoxels * integral + order);
+    errors[i] = static_cast<float>(ErrorOf(cell, function, model, VoxelLength(scene), step));
   }
   return errors;
 }
@@ -191,17 +215,15 @@ double PriceFor(
   }
   return std::exp2(low);
 }
-}
 
-StepGrades GradeSteps(
-  const MacrocellGrid& grid, const std::vector<glm::vec2>& changes, const Scene& scene)
+// Optical depth that each cell has at least; below 0 for those that show nothing.
+std::vector<float> LeastDepths(
+  const MacrocellGrid& grid, const FunctionChanges& function, const Scene& scene)
 {
-  const FunctionChanges function(scene);
   const Majorant majorant(scene);
   const double length = VoxelLength(scene) * grid.EdgeVoxels;
-  std::vector<CellErrors> errors(grid.Ranges.size(), CellErrors{});
-  std::vector<float> leastDepths(grid.Ranges.size(), -1.0f);
-  ForOnAllCores(0, static_cast<vtkIdType>(errors.size()), 0,
+  std::vector<float> depths(grid.Ranges.size(), -1.0f);
+  ForOnAllCores(0, static_cast<vtkIdType>(depths.size()), 0,
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType i = begin; i < end; ++i)
@@ -210,12 +232,55 @@ StepGrades GradeSteps(
         if (range.x <= range.y && majorant.Of(range.x, range.y) > 0.0f)
         {
           const double least = function.LeastExtinction(function.RangeOf(range.x, range.y));
-          leastDepths[i] = static_cast<float>(least * length);
-          errors[i] = ErrorsOf(scene, function, grid.EdgeVoxels, range, changes[i]);
+          depths[i] = static_cast<float>(least * length);
         }
       }
     });
-  const Sight sight(grid, leastDepths);
+  return depths;
+}
+
+// Calls `visit` with the number and the look of each cell that shows anything, on all cores.
+template <typename Visit>
+void ForSeenCells(const MacrocellGrid& grid, const std::vector<glm::vec2>& changes,
+  const FunctionChanges& function, const std::vector<float>& depths, const Visit& visit)
+{
+  ForOnAllCores(0, static_cast<vtkIdType>(depths.size()), 0,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        if (depths[i] >= 0.0f)
+        {
+          visit(i, LookOf(function, grid.EdgeVoxels, grid.Ranges[i], changes[i]));
+        }
+      }
+    });
+}
+
+// Of the cells that are seen, given the grades of all.
+double MeanStepsPerVoxel(
+  const std::vector<std::int8_t>& grades, const std::vector<float>& shares, double stepVoxels)
+{
+  double steps = 0.0;
+  double seen = 0.0;
+  for (std::size_t i = 0; i < grades.size(); ++i)
+  {
+    steps += shares[i] * (grades[i] == ExactGrade ? 0.0 : std::ldexp(1.0, -grades[i]));
+    seen += shares[i];
+  }
+  return seen > 0.0 ? steps / (seen * stepVoxels) : 0.0;
+}
+}
+
+StepGrades GradeSteps(
+  const MacrocellGrid& grid, const std::vector<glm::vec2>& changes, const Scene& scene)
+{
+  const FunctionChanges function(scene);
+  const std::vector<float> depths = LeastDepths(grid, function, scene);
+  std::vector<CellErrors> errors(grid.Ranges.size(), CellErrors{});
+  ForSeenCells(grid, changes, function, depths,
+    [&](vtkIdType i, const CellLook& cell) { errors[i] = ErrorsOf(cell, function, scene); });
+  const Sight sight(grid, depths);
   const double price = PriceFor(scene.Sampling.ErrorTarget, errors, sight.GetShares());
   StepGrades grades;
   grades.ExpectedError = PictureError(errors, sight.GetShares(), price);
@@ -226,6 +291,31 @@ StepGrades GradeSteps(
     const int grade = exact ? ExactGrade : CheapestGrade(cell, price) + FinestGrade;
     grades.Grades.push_back(static_cast<std::int8_t>(grade));
   }
+  grades.StepsPerVoxel =
+    MeanStepsPerVoxel(grades.Grades, sight.GetShares(), scene.Sampling.StepVoxels);
   return grades;
+}
+
+IntegratorErrors ExpectErrors(
+  const MacrocellGrid& grid, const std::vector<glm::vec2>& changes, const Scene& scene)
+{
+  const FunctionChanges function(scene);
+  const std::vector<float> depths = LeastDepths(grid, function, scene);
+  const double voxel = VoxelLength(scene);
+  const double step = scene.Sampling.StepVoxels;
+  std::vector<glm::dvec2> errors(depths.size(), glm::dvec2(0.0));
+  ForSeenCells(grid, changes, function, depths,
+    [&](vtkIdType i, const CellLook& cell)
+    {
+      errors[i] = { ErrorOf(cell, function, MidpointModel, voxel, step),
+        ErrorOf(cell, function, SegmentModel, voxel, step) };
+    });
+  const Sight sight(grid, depths);
+  glm::dvec2 squares(0.0);
+  for (std::size_t i = 0; i < errors.size(); ++i)
+  {
+    squares += double(sight.GetShares()[i]) * errors[i] * errors[i];
+  }
+  return { std::sqrt(squares.x), std::sqrt(squares.y) };
 }
 }

@@ -28,11 +28,25 @@ struct StepGrades
   /// The error that is expected of the picture: above the target where the finest steps are too
   /// long for it.
   double ExpectedError = 0.0;
+
+  /// Steps per voxel, as a mean over the cells weighted by how much of them is seen.
+  double StepsPerVoxel = 0.0;
+};
+
+/// Errors that are expected of a picture whose steps are all alike.
+struct IntegratorErrors
+{
+  double Midpoint = 0.0;
+  double Segment = 0.0;
 };
 
 /// The longest steps with which the errors of all cells, as far as they can be seen along the axes,
 /// stay within the scene's target.
 VOLUMEBENCHENGINE_EXPORT StepGrades GradeSteps(
+  const MacrocellGrid& grid, const std::vector<glm::vec2>& changes, const Scene& scene);
+
+/// For the scene's step, whatever its integrator and its error target are.
+VOLUMEBENCHENGINE_EXPORT IntegratorErrors ExpectErrors(
   const MacrocellGrid& grid, const std::vector<glm::vec2>& changes, const Scene& scene);
 }
 
