@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 namespace volumebench
 {
@@ -108,9 +109,11 @@ class Sight
 public:
   Sight(const MacrocellGrid& grid, const std::vector<float>& leastDepths)
     : Cells(grid.Cells)
-    , Depths(leastDepths)
+    , Passing(leastDepths.size())
     , Shares(leastDepths.size(), 0.0f)
   {
+    std::transform(leastDepths.begin(), leastDepths.end(), this->Passing.begin(),
+      [](float depth) { return depth < 0.0f ? Clear : std::exp(-depth); });
     for (int axis = 0; axis < 3; ++axis)
     {
       this->AddAxis(axis);
@@ -131,22 +134,23 @@ private:
     const int across = (axis + 1) % 3;
     const int up = (axis + 2) % 3;
     int shown = 0;
-    std::vector<float> passing(this->Depths.size(), 0.0f);
+    std::vector<float> reaching(this->Passing.size(), 0.0f);
     for (int j = 0; j < this->Cells[up]; ++j)
     {
       for (int i = 0; i < this->Cells[across]; ++i)
       {
         const std::ptrdiff_t first = i * this->StrideOf(across) + j * this->StrideOf(up);
-        shown += this->FollowRow(first, axis, passing) ? 1 : 0;
+        shown += this->FollowRow(first, axis, reaching) ? 1 : 0;
       }
     }
-    for (std::size_t i = 0; shown > 0 && i < passing.size(); ++i)
+    for (std::size_t i = 0; shown > 0 && i < reaching.size(); ++i)
     {
-      this->Shares[i] += passing[i] / (6.0f * static_cast<float>(shown));
+      this->Shares[i] += reaching[i] / (6.0f * static_cast<float>(shown));
     }
   }
 
-  bool FollowRow(std::ptrdiff_t first, int axis, std::vector<float>& passing) const
+  // Adds the square of the light that reaches each cell of a row from either end.
+  bool FollowRow(std::ptrdiff_t first, int axis, std::vector<float>& reaching) const
   {
     bool any = false;
     for (const int direction : { 1, -1 })
@@ -156,53 +160,75 @@ private:
       {
         const int cell = direction > 0 ? i : this->Cells[axis] - 1 - i;
         const std::ptrdiff_t at = first + cell * this->StrideOf(axis);
-        any = any || this->Depths[at] >= 0.0f;
-        passing[at] += light * light;
-        light *= std::exp(-std::max(this->Depths[at], 0.0f));
+        const float share = this->Passing[at];
+        any = any || share <= 1.0f;
+        reaching[at] += light * light;
+        light *= std::min(share, 1.0f);
       }
     }
     return any;
   }
 
+  static constexpr float Clear = 2.0f; // more than all light: the cell shows nothing
+
   glm::ivec3 Cells;
-  const std::vector<float>&
-    Depths; // optical depth that a cell has at least; below 0: it shows nothing
+  std::vector<float> Passing; // of the light that enters a cell, at most
   std::vector<float> Shares;
 };
 
-// The grade at which the error of a cell and the number of its steps, at this price of steps, cost
-// least.
-int CheapestGrade(const CellErrors& errors, double price)
+// What the steps of each grade cost.
+using Prices = std::array<double, GradeCount>;
+
+Prices PricesOf(double price)
+{
+  Prices prices;
+  for (int i = 0; i < GradeCount; ++i)
+  {
+    prices[i] = price * std::ldexp(1.0, -(i + FinestGrade));
+  }
+  return prices;
+}
+
+// The grade at which the error of a cell and the number of its steps cost least.
+int CheapestGrade(const CellErrors& errors, const Prices& prices)
 {
   int best = 0;
   double least = HUGE_VAL;
   for (int i = 0; i < GradeCount; ++i)
   {
-    const double cost =
-      static_cast<double>(errors[i]) * errors[i] + price * std::ldexp(1.0, -(i + FinestGrade));
-    if (cost < least)
-    {
-      least = cost;
-      best = i;
-    }
+    const double cost = static_cast<double>(errors[i]) * errors[i] + prices[i];
+    best = cost < least ? i : best;
+    least = std::min(cost, least);
   }
   return best;
 }
 
 // Of the picture, if errors of different cells have nothing to do with each other.
 double PictureError(
-  const std::vector<CellErrors>& errors, const std::vector<float>& shares, double price)
+  const std::vector<CellErrors>& errors, const std::vector<float>& shares, const Prices& prices)
 {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < errors.size(); ++i)
-  {
-    const double error = errors[i][CheapestGrade(errors[i], price)];
-    sum += shares[i] * error * error;
-  }
-  return std::sqrt(sum);
+  // Summed in parts of a fixed size, so that the same scene has the same grades on all machines.
+  constexpr std::size_t PartSize = 4096;
+  std::vector<double> sums((errors.size() + PartSize - 1) / PartSize, 0.0);
+  ForOnAllCores(0, static_cast<vtkIdType>(sums.size()), 0,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType part = begin; part < end; ++part)
+      {
+        const std::size_t first = part * PartSize;
+        const std::size_t last = std::min(first + PartSize, errors.size());
+        for (std::size_t i = first; i < last; ++i)
+        {
+          const CellErrors& cell = errors[i];
+          const double error = cell.back() > 0.0f ? cell[CheapestGrade(cell, prices)] : 0.0;
+          sums[part] += shares[i] * error * error;
+        }
+      }
+    });
+  return std::sqrt(std::accumulate(sums.begin(), sums.end(), 0.0));
 }
 
-// The highest price of steps at which the picture keeps the target, to a tenth.
+// The highest price of steps at which the picture keeps the target, to a tenth of a power of two.
 double PriceFor(
   double target, const std::vector<CellErrors>& errors, const std::vector<float>& shares)
 {
@@ -211,7 +237,8 @@ double PriceFor(
   while (high - low > 0.1)
   {
     const double middle = 0.5 * (low + high);
-    (PictureError(errors, shares, std::exp2(middle)) <= target ? low : high) = middle;
+    const double error = PictureError(errors, shares, PricesOf(std::exp2(middle)));
+    (error <= target ? low : high) = middle;
   }
   return std::exp2(low);
 }
@@ -281,14 +308,14 @@ StepGrades GradeSteps(
   ForSeenCells(grid, changes, function, depths,
     [&](vtkIdType i, const CellLook& cell) { errors[i] = ErrorsOf(cell, function, scene); });
   const Sight sight(grid, depths);
-  const double price = PriceFor(scene.Sampling.ErrorTarget, errors, sight.GetShares());
+  const Prices prices = PricesOf(PriceFor(scene.Sampling.ErrorTarget, errors, sight.GetShares()));
   StepGrades grades;
-  grades.ExpectedError = PictureError(errors, sight.GetShares(), price);
+  grades.ExpectedError = PictureError(errors, sight.GetShares(), prices);
   grades.Grades.reserve(errors.size());
   for (const CellErrors& cell : errors)
   {
     const bool exact = cell.back() <= 0.0f;
-    const int grade = exact ? ExactGrade : CheapestGrade(cell, price) + FinestGrade;
+    const int grade = exact ? ExactGrade : CheapestGrade(cell, prices) + FinestGrade;
     grades.Grades.push_back(static_cast<std::int8_t>(grade));
   }
   grades.StepsPerVoxel =
