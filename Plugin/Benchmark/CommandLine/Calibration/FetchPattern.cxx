@@ -1,5 +1,8 @@
 #include "FetchPattern.h"
 
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -22,6 +25,12 @@ double Stored(double value, double scale)
   return scale == 1.0 ? value : std::round(value * scale) / scale;
 }
 
+// Grows along all axes, along each in another way: a fetch that takes one for another is found.
+double WeightedSum(const glm::dvec3& point)
+{
+  return 3.0 * glm::dot(point, glm::dvec3(4.0, 2.0, 1.0)) / 7.0;
+}
+
 double ValueAt(const FetchPattern& pattern, const glm::dvec3& point, double scale)
 {
   switch (pattern.Kind)
@@ -29,12 +38,9 @@ double ValueAt(const FetchPattern& pattern, const glm::dvec3& point, double scal
     case FetchKind::Table:
       return CalibrationValue(3.0 * (point.x + point.z), pattern.Entries);
     case FetchKind::Texel:
-      return Stored(
-        CalibrationValue(
-          std::floor(point.x) + std::floor(point.y) + std::floor(point.z), pattern.Entries),
-        scale);
+      return Stored(CalibrationValue(WeightedSum(glm::floor(point)), pattern.Entries), scale);
     default:
-      return CalibrationValue(point.x + point.y + point.z, pattern.Entries);
+      return CalibrationValue(WeightedSum(point), pattern.Entries);
   }
 }
 }
@@ -100,7 +106,8 @@ std::vector<Texel> CalibrationVolume(int entries)
       for (int x = 0; x < entries; ++x, ++i)
       {
         texels[i] = static_cast<Texel>(
-          Stored(CalibrationValue(x + y + z, entries), scale) * scale + (scale == 1.0 ? 0.0 : 0.5));
+          Stored(CalibrationValue(WeightedSum({ x, y, z }), entries), scale) * scale +
+          (scale == 1.0 ? 0.0 : 0.5));
       }
     }
   }

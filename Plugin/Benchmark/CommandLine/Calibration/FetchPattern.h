@@ -76,7 +76,8 @@ struct TexelScale<float>
   static constexpr double Scale = 1.0;
 };
 
-/// The value in [0, 1] at a point whose coordinates have this sum, without rounding.
+/// The value in [0, 1], without rounding, at a point whose coordinates, weighted so that the
+/// farthest corner has 3 (entries - 1), have this sum.
 double CalibrationValue(double coordinateSum, int entries);
 
 /// The cube's texels, x fastest; one more at the end, since a pair of 16-bit texels is read at
