@@ -18,7 +18,7 @@
 // version.
 #define VOLUMEBENCH_CUDA_FUNCTIONS(apply)                                                          \
   apply(cuInit) apply(cuDriverGetVersion) apply(cuDeviceGetCount) apply(cuDeviceGet)               \
-    apply(cuDeviceGetName) apply(cuDeviceGetAttribute) apply(cuDevicePrimaryCtxRetain)             \
+    apply(cuDeviceGetName) apply(cuDeviceTotalMem) apply(cuDeviceGetAttribute) apply(cuDevicePrimaryCtxRetain)             \
       apply(cuCtxPushCurrent) apply(cuCtxPopCurrent) apply(cuCtxSynchronize)                       \
         apply(cuModuleLoadData) apply(cuModuleGetFunction) apply(cuModuleGetGlobal)                \
           apply(cuFuncGetAttribute) apply(cuLaunchKernel) apply(cuMemAlloc) apply(cuMemFree)       \

@@ -113,6 +113,13 @@ int CudaDevice::Limit(CUdevice_attribute what) const
   return value;
 }
 
+std::size_t CudaDevice::GetMemoryBytes() const
+{
+  std::size_t bytes = 0;
+  CheckCuda(Cuda().cuDeviceTotalMem(&bytes, this->Handle), "cuDeviceTotalMem");
+  return bytes;
+}
+
 int CudaDevice::GetArchitecture() const
 {
   return 10 * this->Limit(CU_DEVICE_ATTRIBUTE_COMPUTE_CAPABILITY_MAJOR) +

@@ -59,6 +59,9 @@ public:
   CUcontext GetContext() const { return this->Context; }
   int Limit(CUdevice_attribute what) const;
 
+  /// Bytes of its memory.
+  std::size_t GetMemoryBytes() const;
+
   /// Major times 10 plus minor compute capability.
   int GetArchitecture() const;
 

@@ -28,6 +28,11 @@ FeatureSet CudaRayCast::FeaturesFor(const Scene& scene) const
   return CudaRays::FeaturesFor(scene);
 }
 
+std::optional<VolumeRoom> CudaRayCast::RoomFor(const Scene& scene) const
+{
+  return CudaScene::RoomFor(scene, CudaDevice::Get());
+}
+
 void CudaRayCast::Compile(const Scene& scene)
 {
   this->Rays.Prepare(scene, this->GetFeatures());

@@ -15,6 +15,7 @@ public:
   std::string WhyNoDevice() const override { return CudaDevice::WhyNone(); }
   std::string GetDeviceName() const override { return CudaDevice::Description(); }
   SetUpCosts GetSetUpCosts() const override;
+  std::optional<VolumeRoom> RoomFor(const Scene& scene) const override;
 
 protected:
   FeatureSet FeaturesFor(const Scene& scene) const override;

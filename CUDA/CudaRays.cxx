@@ -76,7 +76,7 @@ void CudaRays::SendNumbers(const Scene& scene)
 {
   CudaConstants constants = {};
   constants.Numbers = RoundToFloat(PackScene(scene));
-  const VoxelOrderRows rows = OrderRows(scene.Volume.Texels, this->GetQuarterTurns());
+  const VoxelOrderRows rows = OrderRows(scene.Volume.Held().Size, this->GetQuarterTurns());
   constants.OrderX = rows.X;
   constants.OrderZ = rows.Z;
   this->Data.AddTo(constants);

@@ -22,17 +22,29 @@ double MillisecondsSince(Clock::time_point begin)
   return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
 }
 
+glm::ivec3 LargestArray(const CudaDevice& device)
+{
+  return { device.Limit(CU_DEVICE_ATTRIBUTE_MAXIMUM_TEXTURE3D_WIDTH),
+    device.Limit(CU_DEVICE_ATTRIBUTE_MAXIMUM_TEXTURE3D_HEIGHT),
+    device.Limit(CU_DEVICE_ATTRIBUTE_MAXIMUM_TEXTURE3D_DEPTH) };
+}
+
+bool IsWithin(const glm::ivec3& size, const glm::ivec3& most)
+{
+  return size.x <= most.x && size.y <= most.y && size.z <= most.z;
+}
+
+// For who draws without dividing: CudaRays alone.
 void CheckSize(const glm::ivec3& size, const CudaDevice& device)
 {
-  const CUdevice_attribute limits[] = { CU_DEVICE_ATTRIBUTE_MAXIMUM_TEXTURE3D_WIDTH,
-    CU_DEVICE_ATTRIBUTE_MAXIMUM_TEXTURE3D_HEIGHT, CU_DEVICE_ATTRIBUTE_MAXIMUM_TEXTURE3D_DEPTH };
+  const glm::ivec3 most = LargestArray(device);
   for (int axis = 0; axis < 3; ++axis)
   {
-    const int limit = device.Limit(limits[axis]);
-    if (size[axis] > limit)
+    if (size[axis] > most[axis])
     {
       throw SceneError("the volume takes " + std::to_string(size[axis]) + " voxels on axis " +
-        std::string(1, "xyz"[axis]) + "; this CUDA device takes at most " + std::to_string(limit));
+        std::string(1, "xyz"[axis]) + "; this CUDA device takes at most " +
+        std::to_string(most[axis]));
     }
   }
 }
@@ -75,6 +87,20 @@ void SendTable(CudaTexture& texture, const SharedTable<glm::vec4>& entries, bool
 }
 }
 
+VolumeRoom CudaScene::RoomFor(const Scene& scene, const CudaDevice& device)
+{
+  constexpr double UsableShare = 0.75;
+  const bool padded = scene.Sampling.Order == VoxelOrder::InPlaceRotation;
+  VolumeRoom room;
+  room.Bytes = UsableShare * static_cast<double>(device.GetMemoryBytes());
+  room.Takes = [padded, &device](const glm::ivec3& texels)
+  {
+    const glm::ivec3 size = padded ? PaddedTexels(texels) : texels;
+    return IsWithin(size, LargestArray(device));
+  };
+  return room;
+}
+
 void CudaScene::Update(const Scene& scene, const FeatureSet& features, const CudaDevice& device)
 {
   const bool padded = scene.Sampling.Order == VoxelOrder::InPlaceRotation;
@@ -110,9 +136,10 @@ void CudaScene::Update(const Scene& scene, const FeatureSet& features, const Cud
 void CudaScene::UpdateVolume(
   const volumebench::Volume& volume, bool padded, const CudaDevice& device)
 {
-  const glm::ivec3 size = padded ? PaddedTexels(volume.Texels) : volume.Texels;
+  const glm::ivec3 held = volume.Held().Size;
+  const glm::ivec3 size = padded ? PaddedTexels(held) : held;
   CheckSize(size, device);
-  const std::size_t padding = padded ? PaddingTexels(volume.Texels) * TexelBytes(volume) : 0;
+  const std::size_t padding = padded ? PaddingTexels(held) * TexelBytes(volume) : 0;
   this->Volume.Create(TexelsOf(volume, padded), size,
     padding > 0 ? ", " + std::to_string(padding) +
         " of them padding for the voxel order "
@@ -124,23 +151,23 @@ void CudaScene::UpdateVolume(
 
 void CudaScene::SendSlabs(const volumebench::Volume& volume, const glm::ivec3& size)
 {
-  const std::size_t rowsOfSlice = volume.Texels.y;
+  const glm::ivec3 held = volume.Held().Size;
+  const std::size_t rowsOfSlice = held.y;
   const std::size_t sliceBytes = size.x * rowsOfSlice * TexelBytes(volume);
   const int slabSlices = static_cast<int>(std::max<std::size_t>(1, SlabBytes / sliceBytes));
   std::vector<unsigned char> texels;
-  for (int slice = 0; slice < volume.Texels.z; slice += slabSlices)
+  for (int slice = 0; slice < held.z; slice += slabSlices)
   {
-    const int count = std::min(slabSlices, volume.Texels.z - slice);
+    const int count = std::min(slabSlices, held.z - slice);
     ConvertSlab(volume, slice, count, texels);
-    if (size.x > volume.Texels.x)
+    if (size.x > held.x)
     {
-      texels =
-        WithPaddedRows(texels, count * rowsOfSlice, volume.Texels.x, size.x, TexelBytes(volume));
+      texels = WithPaddedRows(texels, count * rowsOfSlice, held.x, size.x, TexelBytes(volume));
     }
     this->Volume.Send(texels.data(), slice, count);
   }
   texels.erase(texels.begin(), texels.end() - static_cast<std::ptrdiff_t>(sliceBytes));
-  for (int slice = volume.Texels.z; slice < size.z; ++slice)
+  for (int slice = held.z; slice < size.z; ++slice)
   {
     this->Volume.Send(texels.data(), slice, 1);
   }
@@ -152,8 +179,8 @@ void CudaScene::UpdateBlanking(const volumebench::Volume& volume)
   if (volume.HasBlanks())
   {
     const std::vector<std::uint8_t> grid = BlankingGrid(volume);
-    this->Blanking.Create(Unfiltered(CU_AD_FORMAT_UNSIGNED_INT8), volume.Texels + 1);
-    this->Blanking.Send(grid.data(), 0, volume.Texels.z + 1);
+    this->Blanking.Create(Unfiltered(CU_AD_FORMAT_UNSIGNED_INT8), volume.Held().Size + 1);
+    this->Blanking.Send(grid.data(), 0, volume.Held().Size.z + 1);
   }
 }
 

@@ -3,6 +3,7 @@
 #ifndef volumebench_CudaScene_h
 #define volumebench_CudaScene_h
 
+#include "Bricks/BrickPlan.h"
 #include "CUDA/CudaMemory.h"
 #include "Scene/Features.h"
 #include "Scene/KernelScene.h"
@@ -32,7 +33,10 @@ struct CudaConstants
 class CudaScene
 {
 public:
-  /// Uploads what changed. Throws SceneError when the volume exceeds what the device takes on an
+  /// What the device takes of a volume's texels in one array, and of its memory in all.
+  static VolumeRoom RoomFor(const Scene& scene, const CudaDevice& device);
+
+  /// Uploads what changed; of a volume in bricks it holds one at a time. Throws SceneError when the volume exceeds what the device takes on an
   /// axis, or it has no memory for it.
   void Update(const Scene& scene, const FeatureSet& features, const CudaDevice& device);
 

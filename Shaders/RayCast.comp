@@ -34,7 +34,11 @@ void main()
 #if WITH_OPAQUE_DEPTH
   windowDepth = texelFetch(opaqueDepthTexture, ivec2(pixel - scene.viewport.xy), 0).x;
 #endif
+#if WITH_BRICKS && !WITH_SAMPLE_COUNT
+  vec4 result = emptyRay();
+#else
   vec4 result = vec4(0.0);
+#endif
 #if WITH_RASTERISED_SETUP
   vec4 directionAndLength = texelFetch(rayDirectionTexture, texel, 0);
   if (directionAndLength.w > 0.0)

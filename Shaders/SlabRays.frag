@@ -6,6 +6,10 @@
 uniform sampler2D opaqueDepthTexture;
 #endif
 
+#if WITH_BRICKS
+uniform vec2 slabSeries; // as in Slices.vert
+#endif
+
 out vec4 slabRay;
 
 void main()
@@ -15,5 +19,9 @@ void main()
 #if WITH_OPAQUE_DEPTH
   windowDepth = texelFetch(opaqueDepthTexture, ivec2(pixel - scene.viewport.xy), 0).x;
 #endif
+#if WITH_BRICKS
+  slabRay = slabRayInBrick(pixel, windowDepth, slabSeries.x, slabSeries.y);
+#else
   slabRay = slabRayOf(pixel, windowDepth);
+#endif
 }

@@ -175,11 +175,17 @@ std::vector<VolumePainter::PartScene> VolumePainter::ScenesBackToFront(vtkVolume
   for (const std::size_t i : BackToFront(blocks, camera, FromVtk(volume->GetMatrix())))
   {
     Part* part = this->Parts[i].get();
-    scenes.push_back({ part,
-      InBlock(part->Name,
-        [&] {
-          return part->Builder.Build(mapper, renderer, volume, blocks[i].Image, range, target);
-        }) });
+    InBlock(part->Name,
+      [&]
+      {
+        scenes.push_back(
+          { part, part->Builder.Build(mapper, renderer, volume, blocks[i].Image, range, target) });
+        Scene& scene = scenes.back().Scene;
+        if (const std::optional<VolumeRoom> room = part->Technique->RoomFor(scene))
+        {
+          DivideIntoBricks(scene, *room);
+        }
+      });
   }
   return scenes;
 }

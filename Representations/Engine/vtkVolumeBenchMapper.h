@@ -142,6 +142,16 @@ public:
 
   ///@{
   /**
+   * Bytes, in MiB, that the volume's voxels may take on the device; 0 (default): most of its
+   * memory. A volume that needs more, or is longer on an axis than the device takes, is drawn in
+   * bricks, with the same samples. Technique reference reads the volume where it is.
+   */
+  vtkSetMacro(MemoryBudgetMiB, double);
+  vtkGetMacro(MemoryBudgetMiB, double);
+  ///@}
+
+  ///@{
+  /**
    * What to draw of arrays with several components: their magnitude or the component
    * VectorComponent. Arrays with one component ignore both. Default: component 0.
    */
@@ -369,6 +379,7 @@ protected:
   int MacrocellVoxels = 0;
   double TerminationThreshold = 0.001;
   int RaySetUp = 1;
+  double MemoryBudgetMiB = 0.0;
   std::string WorkGroupShape = "Auto";
   std::string OpenClDevice = "Auto";
   int OpenClStorage = 0;

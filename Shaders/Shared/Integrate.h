@@ -134,7 +134,7 @@ FUNC vec4 stepOf(SCENE_PARAM Ray ray, real stepBegin, real width, StepEnd front,
 // samples skipped and whether the ray stopped early; or the first of these as a colour.
 FUNC vec4 pixelOf(SCENE_PARAM March march, int count)
 {
-#if WITH_SAMPLE_VIEW && WITH_SAMPLE_COUNT
+#if WITH_SAMPLE_VIEW && WITH_SAMPLE_COUNT && !WITH_BRICKS
   return sampleColor(SCENE TO_REAL(march.taken * SAMPLES_OF_STEP));
 #elif WITH_SAMPLE_COUNT
   bool stopped = isStopped(SCENE march);
@@ -147,6 +147,8 @@ FUNC vec4 pixelOf(SCENE_PARAM March march, int count)
 #endif
   return VEC4(TO_REAL(march.taken * SAMPLES_OF_STEP), TO_REAL(skipped * SAMPLES_OF_STEP),
     stopped ? REAL(1.0) : REAL(0.0), REAL(0.0));
+#elif WITH_BRICKS
+  return march.result; // that of other bricks is still to come
 #else
   return finishRay(SCENE march.result);
 #endif
@@ -245,14 +247,24 @@ FUNC vec4 integrate(SCENE_PARAM Ray ray, Interval interval)
   int count = stepCountOf(SCENE ray, interval);
   int first = 0;
   int end = count;
+#if WITH_BRICKS
+  StepRange inBrick = stepsInBrick(SCENE ray, interval, count);
+  first = inBrick.first;
+  end = inBrick.end;
+  interval.end = end < count ? stepBeginOf(SCENE ray, interval, end) : interval.end;
+#endif
 #if WITH_TIGHT_BOX
   Interval occupied = clipToOccupied(SCENE ray, interval);
   real margin = CELL_MARGIN * ray.oneVoxel / scene.sampling.x;
-  first = stepIndexAt(SCENE ray, interval, occupied.begin, -margin, 0, count);
-  end = stepIndexAt(SCENE ray, interval, occupied.end, REAL(1.0) + margin, first, count);
+  first = stepIndexAt(SCENE ray, interval, occupied.begin, -margin, first, end);
+  end = stepIndexAt(SCENE ray, interval, occupied.end, REAL(1.0) + margin, first, end);
   end = occupied.end > occupied.begin ? end : first;
 #endif
   March march = first < end ? marchFrom(SCENE ray, interval, first, end) : startOfMarch(first);
+#if WITH_BRICKS && WITH_SAMPLE_COUNT
+  march.skipped = march.skipped - inBrick.first;
+  count = inBrick.end - inBrick.first;
+#endif
   return pixelOf(SCENE march, count);
 }
 
@@ -287,6 +299,20 @@ FUNC vec4 slabRayOf(SCENE_PARAM vec2 pixel, real windowDepth)
   return VEC4(visible.begin * depthPerVoxel, visible.end * depthPerVoxel,
     ray.lengthPerUnit / depthPerVoxel, depthPerVoxel);
 }
+
+#if WITH_BRICKS
+// The same of what is drawn with a brick: see slabBorder.
+FUNC vec4 slabRayInBrick(SCENE_PARAM vec2 pixel, real windowDepth, real firstSlab, real spacing)
+{
+  vec4 whole = slabRayOf(SCENE pixel, windowDepth);
+  Ray ray = jittered(SCENE rayThroughPixel(SCENE pixel), pixel);
+  Interval depths;
+  depths.begin = whole.x;
+  depths.end = whole.y;
+  depths = slabsInBrick(SCENE ray, depths, whole.w, firstSlab, spacing);
+  return VEC4(depths.begin, depths.end, whole.z, whole.w);
+}
+#endif
 
 // What one slab adds to a pixel's ray: its part between two depths, as one step. The length is that
 // of the ray, so it grows towards the edge of a perspective picture. Nothing of it depends on the

@@ -10,5 +10,6 @@
 #include "Shared/Composite.h"
 #include "Shared/Steps.h"
 #include "Shared/Skip.h"
+#include "Shared/Brick.h"
 #include "Shared/SampleView.h"
 #include "Shared/Integrate.h"

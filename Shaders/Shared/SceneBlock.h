@@ -25,6 +25,8 @@ SCENE_BLOCK_BEGIN
   vec4 boxHalf;         // xyz: half the size of the box in voxels
   vec4 occupiedLow;     // xyz: lowest corner of the box round all that can be seen, in voxels
   vec4 occupiedHigh;    // xyz: its highest corner
+  vec4 brickLow;        // xyz: lowest corner of the brick that is drawn, in voxels
+  vec4 brickHigh;       // xyz: its highest corner
   vec4 cells;           // xyz: the last macrocell of each axis; w: macrocells per voxel
   vec4 textureScale;    // xyz: texture coordinate per voxel
   vec4 textureOffset;   // xyz: texture coordinate of the middle of the box

@@ -255,6 +255,9 @@ FUNC March jumped(SCENE_PARAM CellRay cells, Ray ray, Interval interval, March m
   longest = homogeneous && next > march.index ? 1 : longest;
 #endif
   march.index = next;
+#if GRADED_STEPS && WITH_BRICKS
+  until = min(until, last); // what comes then is drawn with another brick
+#endif
 #if GRADED_STEPS
   march = graded(SCENE ray, interval, march, longest, until);
 #endif

@@ -4,6 +4,11 @@
 #include "vtkOpenGLState.h"
 #include "vtk_glew.h"
 
+#include <unistd.h>
+
+#include <limits>
+#include <string>
+
 namespace volumebench
 {
 struct GlContextGuard::Saved
@@ -87,6 +92,31 @@ GlLimits ReadGlLimits()
   glGetIntegerv(GL_MAX_3D_TEXTURE_SIZE, &limits.Texture3d);
   glGetIntegerv(GL_MAX_TEXTURE_SIZE, &limits.Texture);
   return limits;
+}
+
+bool IsSoftwareGl()
+{
+  const auto* renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+  const std::string name(renderer ? renderer : "");
+  return name.find("llvmpipe") != std::string::npos || name.find("softpipe") != std::string::npos;
+}
+
+double ReadGlMemoryBytes()
+{
+  constexpr double Kibibyte = 1024.0;
+  constexpr double UsableShare = 0.75;
+  GLint kibibytes = 0;
+  if (GLEW_NVX_gpu_memory_info)
+  {
+    glGetIntegerv(GL_GPU_MEMORY_INFO_DEDICATED_VIDMEM_NVX, &kibibytes);
+    return UsableShare * Kibibyte * kibibytes;
+  }
+  if (IsSoftwareGl())
+  {
+    return 0.5 * static_cast<double>(sysconf(_SC_PHYS_PAGES)) *
+      static_cast<double>(sysconf(_SC_PAGESIZE));
+  }
+  return std::numeric_limits<double>::infinity();
 }
 
 glm::ivec4 ReadGlViewport(vtkOpenGLRenderWindow* window)

@@ -33,6 +33,14 @@ struct GlLimits
 /// Limits of the current context.
 GlLimits ReadGlLimits();
 
+/// Whether the current context draws with the processor.
+bool IsSoftwareGl();
+
+/// Bytes that textures may take in the current context: three quarters of a graphics card's memory
+/// or, where OpenGL draws with the processor, half of the machine's. Without end where the driver
+/// does not tell.
+double ReadGlMemoryBytes();
+
 /// The viewport in force (x, y, width, height): that of the renderer, or of the framebuffer that a
 /// render pass draws it into.
 glm::ivec4 ReadGlViewport(vtkOpenGLRenderWindow* window);

@@ -1,9 +1,10 @@
 #include "Gpu/GlTimer.h"
 
+#include "Gpu/GlContextGuard.h"
+
 #include "vtk_glew.h"
 
 #include <limits>
-#include <string>
 
 namespace volumebench
 {
@@ -11,9 +12,7 @@ namespace
 {
 void EndSoftwareBatch()
 {
-  const auto* renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
-  const std::string name = renderer ? renderer : "";
-  if (name.find("llvmpipe") != std::string::npos || name.find("softpipe") != std::string::npos)
+  if (IsSoftwareGl())
   {
     glFinish();
   }

@@ -9,6 +9,8 @@
 
 #include "vtk_glew.h"
 
+#include <algorithm>
+
 namespace volumebench
 {
 namespace
@@ -48,18 +50,15 @@ std::size_t UploadLine(
   return channels * sizeof(float) * static_cast<std::size_t>(width);
 }
 
-void CheckSize(const volumebench::Volume& volume)
+// Whether a texture may be that large, as far as OpenGL tells without making it.
+bool TakesTexture(const GlFormat& format, const glm::ivec3& texels)
 {
-  const int limit = ReadGlLimits().Texture3d;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    if (volume.Texels[axis] > limit)
-    {
-      throw SceneError("the volume has " + std::to_string(volume.Texels[axis]) +
-        " voxels on axis " + std::string(1, "xyz"[axis]) + "; this device takes at most " +
-        std::to_string(limit) + " (GL_MAX_3D_TEXTURE_SIZE)");
-    }
-  }
+  glTexImage3D(GL_PROXY_TEXTURE_3D, 0, format.Internal, texels.x, texels.y, texels.z, 0,
+    format.External, format.Type, nullptr);
+  GLint width = 0;
+  glGetTexLevelParameteriv(GL_PROXY_TEXTURE_3D, 0, GL_TEXTURE_WIDTH, &width);
+  ForgetGlErrors();
+  return width == texels.x;
 }
 
 void CheckRoom(const char* what, std::size_t bytes)
@@ -68,25 +67,35 @@ void CheckRoom(const char* what, std::size_t bytes)
 }
 }
 
+VolumeRoom SceneTextures::RoomFor(const Volume& volume)
+{
+  VolumeRoom room;
+  room.Bytes = ReadGlMemoryBytes();
+  const int limit = ReadGlLimits().Texture3d;
+  const bool blanks = volume.HasBlanks();
+  room.Takes = [limit, blanks, format = FormatOf(volume)](const glm::ivec3& texels)
+  {
+    const int longest = std::max({ texels.x, texels.y, texels.z }) + (blanks ? 1 : 0);
+    return longest <= limit && TakesTexture(format, texels);
+  };
+  return room;
+}
+
+void SceneTextures::HeldVolume::Release()
+{
+  this->Texels.Release();
+  this->Blanking.Release();
+}
+
+void SceneTextures::HeldVolume::Forget()
+{
+  this->Texels.Forget();
+  this->Blanking.Forget();
+}
+
 void SceneTextures::Update(const Scene& scene, const FeatureSet& features)
 {
-  if (scene.Volume.TexelStamp != this->TexelStamp || !this->Volume.IsCreated())
-  {
-    this->TexelStamp = 0;
-    const Stopwatch watch;
-    this->UpdateVolume(scene.Volume);
-    this->UpdateBlanking(scene.Volume);
-    this->UploadMs = watch.ElapsedMs();
-    this->TexelStamp = scene.Volume.TexelStamp;
-    this->Nearest = scene.Volume.Nearest;
-  }
-  if (scene.Volume.Nearest != this->Nearest)
-  {
-    this->Volume.Bind(GL_TEXTURE_3D);
-    this->Volume.SetSampling(!scene.Volume.Nearest);
-    this->Volume.Unbind();
-    this->Nearest = scene.Volume.Nearest;
-  }
+  this->UpdateVolume(scene);
   if (scene.TransferFunction.Stamp != this->TableStamp ||
     TablesOf(features) != this->TableFeatures || !this->Table.IsCreated())
   {
@@ -134,64 +143,73 @@ void SceneTextures::UpdateCells(const Skipping& skipping, const FeatureSet& feat
   this->GridMs = skipping.GridMs + watch.ElapsedMs();
 }
 
-void SceneTextures::UpdateVolume(const volumebench::Volume& volume)
+void SceneTextures::UpdateVolume(const Scene& scene)
 {
-  CheckSize(volume);
-  const GlFormat format = FormatOf(volume);
-  const std::size_t texels = static_cast<std::size_t>(volume.Texels.x) * volume.Texels.y *
-    static_cast<std::size_t>(volume.Texels.z);
-  const std::size_t bytes = texels * TexelBytes(volume);
-  this->Volume.Release();
-  this->VolumeBytes = 0;
-  this->Volume.Bind(GL_TEXTURE_3D);
-  this->Volume.SetSampling(!volume.Nearest);
-  ForgetGlErrors();
-  glTexImage3D(GL_TEXTURE_3D, 0, format.Internal, volume.Texels.x, volume.Texels.y, volume.Texels.z,
-    0, format.External, format.Type, nullptr);
-  try
+  const Volume& volume = scene.Volume;
+  this->Current = this->Volumes.Find(scene);
+  if (!this->Current)
   {
-    CheckRoom("a volume", bytes);
-    this->UploadSlabs(volume);
-    CheckRoom("a volume", bytes);
+    const Stopwatch watch;
+    HeldVolume& held = this->Volumes.Add(scene);
+    try
+    {
+      this->UploadVolume(volume, held);
+      this->UploadBlanking(volume, held);
+    }
+    catch (...)
+    {
+      this->Volumes.DropLast();
+      throw;
+    }
+    this->UploadMs = watch.ElapsedMs();
+    this->Current = &held;
   }
-  catch (...)
+  if (volume.Nearest != this->Current->Nearest)
   {
-    this->Volume.Unbind();
-    this->Volume.Release();
-    throw;
+    this->Current->Texels.Bind(GL_TEXTURE_3D);
+    this->Current->Texels.SetSampling(!volume.Nearest);
+    this->Current->Texels.Unbind();
+    this->Current->Nearest = volume.Nearest;
   }
-  this->Volume.Unbind();
-  this->VolumeBytes = bytes;
 }
 
-void SceneTextures::UploadSlabs(const volumebench::Volume& volume)
+void SceneTextures::UploadVolume(const Volume& volume, HeldVolume& held)
 {
   const GlFormat format = FormatOf(volume);
+  const glm::ivec3 size = volume.Held().Size;
+  const auto bytes = static_cast<std::size_t>(BytesOnDevice(volume, size));
+  held.Texels.Bind(GL_TEXTURE_3D);
+  held.Texels.SetSampling(!volume.Nearest);
+  held.Nearest = volume.Nearest;
+  ForgetGlErrors();
+  glTexImage3D(GL_TEXTURE_3D, 0, format.Internal, size.x, size.y, size.z, 0, format.External,
+    format.Type, nullptr);
+  CheckRoom("a volume", bytes);
   ConvertInSlabs(volume,
     [&](int slice, int count, const std::vector<unsigned char>& texels)
     {
-      glTexSubImage3D(GL_TEXTURE_3D, 0, 0, 0, slice, volume.Texels.x, volume.Texels.y, count,
-        format.External, format.Type, texels.data());
+      glTexSubImage3D(GL_TEXTURE_3D, 0, 0, 0, slice, size.x, size.y, count, format.External,
+        format.Type, texels.data());
     });
+  held.Texels.Unbind();
+  CheckRoom("a volume", bytes);
 }
 
-void SceneTextures::UpdateBlanking(const volumebench::Volume& volume)
+void SceneTextures::UploadBlanking(const Volume& volume, HeldVolume& held)
 {
-  this->Blanking.Release();
-  this->BlankingBytes = 0;
   if (!volume.HasBlanks())
   {
     return;
   }
   const std::vector<std::uint8_t> grid = BlankingGrid(volume);
-  this->Blanking.Bind(GL_TEXTURE_3D);
-  this->Blanking.SetSampling(false);
+  const glm::ivec3 size = volume.Held().Size + 1;
+  held.Blanking.Bind(GL_TEXTURE_3D);
+  held.Blanking.SetSampling(false);
   ForgetGlErrors();
-  glTexImage3D(GL_TEXTURE_3D, 0, GL_R8UI, volume.Texels.x + 1, volume.Texels.y + 1,
-    volume.Texels.z + 1, 0, GL_RED_INTEGER, GL_UNSIGNED_BYTE, grid.data());
-  this->Blanking.Unbind();
+  glTexImage3D(GL_TEXTURE_3D, 0, GL_R8UI, size.x, size.y, size.z, 0, GL_RED_INTEGER,
+    GL_UNSIGNED_BYTE, grid.data());
+  held.Blanking.Unbind();
   CheckRoom("the grid of hidden cells", grid.size());
-  this->BlankingBytes = grid.size();
 }
 
 void SceneTextures::UpdateTables(const TransferFunction& function, const FeatureSet& features)
@@ -237,7 +255,7 @@ void SceneTextures::UpdateTables(const TransferFunction& function, const Feature
 void SceneTextures::Attach(
   const GlProgram& program, const FeatureSet& features, TextureUnits& units)
 {
-  program.SetUnit("volumeTexture", units.Attach(this->Volume));
+  program.SetUnit("volumeTexture", units.Attach(this->Current->Texels));
   program.SetUnit("transferFunctionTexture", units.Attach(this->Table));
   if (Has(features, Feature::Segment))
   {
@@ -253,7 +271,7 @@ void SceneTextures::Attach(
   }
   if (Has(features, Feature::Blanking))
   {
-    program.SetUnit("blankingTexture", units.Attach(this->Blanking));
+    program.SetUnit("blankingTexture", units.Attach(this->Current->Blanking));
   }
   if (Has(features, Feature::Skipping))
   {
@@ -265,22 +283,25 @@ void SceneTextures::Attach(
 
 void SceneTextures::Release()
 {
-  for (GlTexture* texture : { &this->Volume, &this->Table, &this->Prefix, &this->Segments,
-         &this->GradientOpacity, &this->Blanking, &this->Cells })
+  for (GlTexture* texture :
+    { &this->Table, &this->Prefix, &this->Segments, &this->GradientOpacity, &this->Cells })
   {
     texture->Release();
   }
+  this->Volumes.Release();
   this->Forget();
 }
 
 void SceneTextures::Forget()
 {
-  for (GlTexture* texture : { &this->Volume, &this->Table, &this->Prefix, &this->Segments,
-         &this->GradientOpacity, &this->Blanking, &this->Cells })
+  for (GlTexture* texture :
+    { &this->Table, &this->Prefix, &this->Segments, &this->GradientOpacity, &this->Cells })
   {
     texture->Forget();
   }
-  this->TexelStamp = this->TableStamp = this->CellStamp = 0;
-  this->VolumeBytes = this->TableBytes = this->BlankingBytes = this->CellBytes = 0;
+  this->Volumes.Forget();
+  this->Current = nullptr;
+  this->TableStamp = this->CellStamp = 0;
+  this->TableBytes = this->CellBytes = 0;
 }
 }

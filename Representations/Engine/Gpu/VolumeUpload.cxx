@@ -18,9 +18,40 @@ namespace
 {
 constexpr std::size_t SlabBytes = std::size_t(4) << 20;
 
-vtkIdType SliceTexels(const Volume& volume)
+vtkIdType SliceTexels(const glm::ivec3& size)
 {
-  return static_cast<vtkIdType>(volume.Texels.x) * volume.Texels.y;
+  return static_cast<vtkIdType>(size.x) * size.y;
+}
+
+// Where the texels of a slab of what the device holds lie in the whole volume: in rows of neighbours,
+// of which whole slices are one.
+struct SlabRows
+{
+  vtkIdType First = 0;  // texel of the volume
+  vtkIdType Length = 0; // of a row
+  vtkIdType RowsOfSlice = 1;
+  vtkIdType Stride = 0; // from row to row, and from slice to slice
+  vtkIdType SliceStride = 0;
+
+  vtkIdType TexelAt(vtkIdType index) const
+  {
+    const vtkIdType row = index / this->Length;
+    return this->First + (row / this->RowsOfSlice) * this->SliceStride +
+      (row % this->RowsOfSlice) * this->Stride + index % this->Length;
+  }
+};
+
+SlabRows RowsOf(const Volume& volume, int firstSlice, int sliceCount)
+{
+  const TexelBox held = volume.Held();
+  const vtkIdType width = volume.Texels.x;
+  const vtkIdType slice = SliceTexels(volume.Texels);
+  const vtkIdType first = held.First.x + width * held.First.y + slice * (held.First.z + firstSlice);
+  if (SliceTexels(held.Size) == slice)
+  {
+    return { first, slice * sliceCount, 1, 0, 0 };
+  }
+  return { first, held.Size.x, held.Size.y, width, slice };
 }
 
 // 8-bit steps are spread over the 16 bits so that the largest value is exactly 1.
@@ -90,24 +121,36 @@ void Convert(const Volume& volume, Array* array, vtkIdType first, vtkIdType end,
   }
 }
 
+template <typename Array>
+void ConvertRun(
+  const Volume& volume, Array* array, vtkIdType first, vtkIdType end, unsigned char* texels)
+{
+  if (volume.Format == TexelFormat::Unsigned16)
+  {
+    Convert(volume, array, first, end, reinterpret_cast<std::uint16_t*>(texels));
+  }
+  else
+  {
+    Convert(volume, array, first, end, reinterpret_cast<float*>(texels));
+  }
+}
+
 struct ConvertWorker
 {
   template <typename Array>
-  void operator()(Array* array, const Volume& volume, vtkIdType firstTuple, unsigned char* texels,
+  void operator()(Array* array, const Volume& volume, const SlabRows& rows, unsigned char* texels,
     vtkIdType count)
   {
     ForOnAllCores(0, count, 0,
       [&](vtkIdType begin, vtkIdType end)
       {
-        const vtkIdType first = firstTuple + begin;
-        unsigned char* target = texels + begin * static_cast<vtkIdType>(TexelBytes(volume));
-        if (volume.Format == TexelFormat::Unsigned16)
+        for (vtkIdType texel = begin; texel < end;)
         {
-          Convert(volume, array, first, firstTuple + end, reinterpret_cast<std::uint16_t*>(target));
-        }
-        else
-        {
-          Convert(volume, array, first, firstTuple + end, reinterpret_cast<float*>(target));
+          const vtkIdType run = std::min(end - texel, rows.Length - texel % rows.Length);
+          const vtkIdType first = rows.TexelAt(texel);
+          ConvertRun(volume, array, first, first + run,
+            texels + texel * static_cast<vtkIdType>(TexelBytes(volume)));
+          texel += run;
         }
       });
   }
@@ -117,8 +160,8 @@ struct ConvertWorker
 class GridMarker
 {
 public:
-  explicit GridMarker(const Volume& volume)
-    : Size(volume.Texels)
+  explicit GridMarker(const TexelBox& held)
+    : Size(held.Size)
     , Grid(static_cast<std::size_t>(Size.x + 1) * (Size.y + 1) * (Size.z + 1), 0)
   {
   }
@@ -129,11 +172,8 @@ public:
   }
 
   // The eight cells that a texel is a corner of.
-  void MarkCellsAt(vtkIdType texel)
+  void MarkCellsAt(vtkIdType i, vtkIdType j, vtkIdType k)
   {
-    const vtkIdType i = texel % this->Size.x;
-    const vtkIdType j = (texel / this->Size.x) % this->Size.y;
-    const vtkIdType k = texel / (static_cast<vtkIdType>(this->Size.x) * this->Size.y);
     for (int corner = 0; corner < 8; ++corner)
     {
       this->MarkCell(
@@ -172,15 +212,46 @@ void MarkHiddenCells(const Volume& volume, GridMarker& marker)
 {
   // Cells of point data lie between texels, and entry i + 1 is the one that begins at texel i.
   const int shift = volume.CellCentred ? 0 : 1;
+  const TexelBox held = volume.Held();
   const glm::ivec3 cells = volume.Texels - shift;
+  const glm::ivec3 marked = held.Size - shift;
   const std::uint8_t bit = volume.CellCentred ? BlankRoundTexel : BlankBetweenTexels;
-  const vtkIdType count = volume.CellGhosts->GetNumberOfValues();
-  for (vtkIdType cell = 0; cell < count; ++cell)
+  for (vtkIdType k = 0; k < marked.z; ++k)
   {
-    if (volume.CellGhosts->GetValue(cell) & HiddenCellBits)
+    for (vtkIdType j = 0; j < marked.y; ++j)
     {
-      marker.MarkCell(cell % cells.x + shift, (cell / cells.x) % cells.y + shift,
-        cell / (static_cast<vtkIdType>(cells.x) * cells.y) + shift, bit);
+      const vtkIdType row = cells.x * (j + held.First.y + cells.y * (k + held.First.z));
+      for (vtkIdType i = 0; i < marked.x; ++i)
+      {
+        if (volume.CellGhosts->GetValue(row + i + held.First.x) & HiddenCellBits)
+        {
+          marker.MarkCell(i + shift, j + shift, k + shift, bit);
+        }
+      }
+    }
+  }
+}
+
+void MarkHiddenTexels(const Volume& volume, GridMarker& marker)
+{
+  const bool hiddenPoints = volume.PointGhosts && !volume.CellCentred;
+  const TexelBox held = volume.Held();
+  const glm::ivec3& whole = volume.Texels;
+  for (vtkIdType k = 0; k < held.Size.z; ++k)
+  {
+    for (vtkIdType j = 0; j < held.Size.y; ++j)
+    {
+      const vtkIdType row = whole.x * (j + held.First.y + whole.y * (k + held.First.z));
+      for (vtkIdType i = 0; i < held.Size.x; ++i)
+      {
+        const vtkIdType texel = row + i + held.First.x;
+        const bool hidden =
+          hiddenPoints && (volume.PointGhosts->GetValue(texel) & HiddenPointBits);
+        if (hidden || (volume.HasNonFinite && !IsFiniteTexel(volume, texel)))
+        {
+          marker.MarkCellsAt(i, j, k);
+        }
+      }
     }
   }
 }
@@ -189,27 +260,27 @@ void MarkHiddenCells(const Volume& volume, GridMarker& marker)
 void ConvertSlab(
   const Volume& volume, int firstSlice, int sliceCount, std::vector<unsigned char>& texels)
 {
-  const vtkIdType firstTuple = SliceTexels(volume) * firstSlice;
-  const vtkIdType count = SliceTexels(volume) * sliceCount;
+  const vtkIdType count = SliceTexels(volume.Held().Size) * sliceCount;
   texels.resize(static_cast<std::size_t>(count) * TexelBytes(volume));
+  const SlabRows rows = RowsOf(volume, firstSlice, sliceCount);
   ConvertWorker worker;
   vtkDataArray* scalars = volume.Scalars;
-  if (!vtkArrayDispatch::Dispatch::Execute(
-        scalars, worker, volume, firstTuple, texels.data(), count))
+  if (!vtkArrayDispatch::Dispatch::Execute(scalars, worker, volume, rows, texels.data(), count))
   {
-    worker(scalars, volume, firstTuple, texels.data(), count);
+    worker(scalars, volume, rows, texels.data(), count);
   }
 }
 
 void ConvertInSlabs(const Volume& volume,
   const std::function<void(int, int, const std::vector<unsigned char>&)>& send)
 {
-  const std::size_t sliceBytes = SliceTexels(volume) * TexelBytes(volume);
+  const glm::ivec3 size = volume.Held().Size;
+  const std::size_t sliceBytes = SliceTexels(size) * TexelBytes(volume);
   const int slabSlices = static_cast<int>(std::max<std::size_t>(1, SlabBytes / sliceBytes));
   std::vector<unsigned char> texels;
-  for (int slice = 0; slice < volume.Texels.z; slice += slabSlices)
+  for (int slice = 0; slice < size.z; slice += slabSlices)
   {
-    const int count = std::min(slabSlices, volume.Texels.z - slice);
+    const int count = std::min(slabSlices, size.z - slice);
     ConvertSlab(volume, slice, count, texels);
     send(slice, count, texels);
   }
@@ -217,17 +288,8 @@ void ConvertInSlabs(const Volume& volume,
 
 std::vector<std::uint8_t> BlankingGrid(const Volume& volume)
 {
-  GridMarker marker(volume);
-  const bool hiddenPoints = volume.PointGhosts && !volume.CellCentred;
-  const vtkIdType texels = SliceTexels(volume) * volume.Texels.z;
-  for (vtkIdType texel = 0; texel < texels; ++texel)
-  {
-    const bool hidden = hiddenPoints && (volume.PointGhosts->GetValue(texel) & HiddenPointBits);
-    if (hidden || (volume.HasNonFinite && !IsFiniteTexel(volume, texel)))
-    {
-      marker.MarkCellsAt(texel);
-    }
-  }
+  GridMarker marker(volume.Held());
+  MarkHiddenTexels(volume, marker);
   if (volume.CellGhosts)
   {
     MarkHiddenCells(volume, marker);

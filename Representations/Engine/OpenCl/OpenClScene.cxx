@@ -22,21 +22,35 @@ cl_image_format FormatOf(const Volume& volume)
   return { order, static_cast<cl_channel_type>(small ? CL_UNORM_INT16 : CL_FLOAT) };
 }
 
-void CheckImage(const OpenClSession& session, const glm::ivec3& size, bool flat, const char* what)
+// Entries that images of the device may have on an axis; `flat` are those of two dimensions.
+std::size_t MostEntries(const OpenClSession& session, int axis, bool flat)
 {
   const cl_device_info limits[2][3] = { { CL_DEVICE_IMAGE3D_MAX_WIDTH, CL_DEVICE_IMAGE3D_MAX_HEIGHT,
                                           CL_DEVICE_IMAGE3D_MAX_DEPTH },
     { CL_DEVICE_IMAGE2D_MAX_WIDTH, CL_DEVICE_IMAGE2D_MAX_HEIGHT, 0 } };
-  for (int axis = 0; axis < (flat ? 2 : 3); ++axis)
+  return session.Limit<std::size_t>(limits[flat ? 1 : 0][axis]);
+}
+
+void CheckTable(const OpenClSession& session, int columns, int rows)
+{
+  const glm::ivec2 size(columns, rows);
+  for (int axis = 0; axis < 2; ++axis)
   {
-    const auto most = session.Limit<std::size_t>(limits[flat ? 1 : 0][axis]);
+    const std::size_t most = MostEntries(session, axis, true);
     if (static_cast<std::size_t>(size[axis]) > most)
     {
-      throw SceneError(std::string(what) + " has " + std::to_string(size[axis]) +
-        " entries on axis " + "xyz"[axis] + "; images of the OpenCL device '" +
+      throw SceneError("a table of the transfer function has " + std::to_string(size[axis]) +
+        " entries on axis " + "xy"[axis] + "; images of the OpenCL device '" +
         session.GetDevice().Name + "' have at most " + std::to_string(most));
     }
   }
+}
+
+bool TakesImage(const OpenClSession& session, const glm::ivec3& texels)
+{
+  return static_cast<std::size_t>(texels.x) <= MostEntries(session, 0, false) &&
+    static_cast<std::size_t>(texels.y) <= MostEntries(session, 1, false) &&
+    static_cast<std::size_t>(texels.z) <= MostEntries(session, 2, false);
 }
 
 // Sends a buffer with nothing behind it.
@@ -47,6 +61,22 @@ void SendAll(OpenClMemory& memory, OpenClSession& session, const Entries& entrie
   memory.ResizeBuffer(session, bytes, CL_MEM_READ_ONLY);
   memory.Write(entries.data(), bytes);
 }
+}
+
+VolumeRoom OpenClScene::RoomFor(const Volume& volume, const OpenClSession& session, bool buffers)
+{
+  constexpr double UsableShare = 0.5; // a CPU's memory is everybody's
+  const auto piece = session.Limit<cl_ulong>(CL_DEVICE_MAX_MEM_ALLOC_SIZE);
+  VolumeRoom room;
+  room.Bytes = UsableShare *
+    static_cast<double>(session.Limit<cl_ulong>(CL_DEVICE_GLOBAL_MEM_SIZE));
+  room.Takes = [&volume, &session, piece, buffers](const glm::ivec3& texels)
+  {
+    const glm::ivec3 largest = buffers ? glm::ivec3(texels.x, texels.y, texels.z + 2) : texels;
+    return BytesOnDevice(volume, largest) <= static_cast<double>(piece) &&
+      (buffers || TakesImage(session, texels));
+  };
+  return room;
 }
 
 void OpenClScene::Update(
@@ -61,15 +91,7 @@ void OpenClScene::Update(
   }
   this->Features = features;
   this->Nearest = scene.Volume.Nearest;
-  if (scene.Volume.TexelStamp != this->TexelStamp || !this->Volume.IsCreated())
-  {
-    this->TexelStamp = 0;
-    const Stopwatch watch;
-    this->UpdateVolume(scene.Volume);
-    this->UpdateBlanking(scene.Volume);
-    this->UploadMs = watch.ElapsedMs();
-    this->TexelStamp = scene.Volume.TexelStamp;
-  }
+  this->UpdateVolume(scene);
   if (scene.TransferFunction.Stamp != this->TableStamp ||
     TablesOf(features) != this->TableFeatures || !this->Classification.Used)
   {
@@ -83,50 +105,65 @@ void OpenClScene::Update(
   this->UpdateCells(scene.Skipping);
 }
 
-void OpenClScene::CreateVolume(const volumebench::Volume& volume)
+void OpenClScene::CreateVolume(const Volume& volume, OpenClMemory& texels)
 {
-  this->Volume.Release();
+  const glm::ivec3 size = volume.Held().Size;
   if (!this->Buffers)
   {
-    CheckImage(*this->Session, volume.Texels, false, "the volume");
-    this->Volume.CreateImage(*this->Session, FormatOf(volume), volume.Texels);
+    texels.CreateImage(*this->Session, FormatOf(volume), size);
     return;
   }
   // Filtering reads up to one texel, one row and one slice further.
-  const glm::ivec3& size = volume.Texels;
   const std::size_t bytes = Texels(size) * TexelBytes(volume);
   const std::size_t behind = (Texels({ size.x, size.y, 1 }) + size.x + 1) * TexelBytes(volume);
-  this->Volume.ResizeBuffer(*this->Session, bytes + behind, CL_MEM_READ_ONLY);
-  this->Volume.FillWithZero(bytes, behind);
+  texels.ResizeBuffer(*this->Session, bytes + behind, CL_MEM_READ_ONLY);
+  texels.FillWithZero(bytes, behind);
 }
 
-void OpenClScene::UpdateVolume(const volumebench::Volume& volume)
+void OpenClScene::SendVolume(const Volume& volume, OpenClMemory& texels)
 {
-  this->CreateVolume(volume);
-  this->Format = volume.Format;
-  const std::size_t sliceBytes =
-    Texels({ volume.Texels.x, volume.Texels.y, 1 }) * TexelBytes(volume);
+  this->CreateVolume(volume, texels);
+  const glm::ivec3 size = volume.Held().Size;
+  const std::size_t sliceBytes = Texels({ size.x, size.y, 1 }) * TexelBytes(volume);
   ConvertInSlabs(volume,
-    [&](int slice, int count, const std::vector<unsigned char>& texels)
+    [&](int slice, int count, const std::vector<unsigned char>& slab)
     {
       if (this->Buffers)
       {
-        this->Volume.Write(texels.data(), texels.size(), slice * sliceBytes);
+        texels.Write(slab.data(), slab.size(), slice * sliceBytes);
       }
       else
       {
-        this->Volume.WriteImage(texels.data(), slice, count);
+        texels.WriteImage(slab.data(), slice, count);
       }
     });
 }
 
-void OpenClScene::UpdateBlanking(const volumebench::Volume& volume)
+void OpenClScene::UpdateVolume(const Scene& scene)
 {
-  this->Blanking.Release();
-  if (volume.HasBlanks())
+  this->Format = scene.Volume.Format;
+  this->Current = this->Volumes.Find(scene);
+  if (this->Current)
   {
-    SendAll(this->Blanking, *this->Session, BlankingGrid(volume));
+    return;
   }
+  const Stopwatch watch;
+  HeldVolume& held = this->Volumes.Add(scene);
+  try
+  {
+    this->SendVolume(scene.Volume, held.Texels);
+    if (scene.Volume.HasBlanks())
+    {
+      SendAll(held.Blanking, *this->Session, BlankingGrid(scene.Volume));
+    }
+  }
+  catch (...)
+  {
+    this->Volumes.DropLast();
+    throw;
+  }
+  this->UploadMs = watch.ElapsedMs();
+  this->Current = &held;
 }
 
 void OpenClScene::SendTable(Table& table, const void* entries, bool single, int columns, int rows)
@@ -139,7 +176,7 @@ void OpenClScene::SendTable(Table& table, const void* entries, bool single, int 
   {
     const cl_image_format format = { static_cast<cl_channel_order>(single ? CL_R : CL_RGBA),
       CL_FLOAT };
-    CheckImage(*this->Session, { columns, rows, 1 }, true, "a table of the transfer function");
+    CheckTable(*this->Session, columns, rows);
     table.Memory.CreateImage(*this->Session, format, { columns, rows, 0 });
     table.Memory.WriteImage(entries, 0, 1);
     return;
@@ -263,13 +300,13 @@ void OpenClScene::AddTo(KernelArguments& arguments) const
   }
   if (Has(this->Features, Feature::Blanking))
   {
-    arguments.Add(this->Blanking);
+    arguments.Add(this->Current->Blanking);
   }
   if (Has(this->Features, Feature::Skipping))
   {
     arguments.Add(this->Cells);
   }
-  arguments.Add(this->Volume);
+  arguments.Add(this->Current->Texels);
   this->AddTable(this->Classification, arguments);
   this->AddTable(this->Segments, arguments);
   this->AddTable(this->GradientOpacity, arguments);
@@ -277,9 +314,9 @@ void OpenClScene::AddTo(KernelArguments& arguments) const
 
 std::size_t OpenClScene::GetBytesOnDevice() const
 {
-  std::size_t bytes = 0;
-  for (const OpenClMemory* memory : { &this->Volume, &this->Prefix, &this->Blanking, &this->Cells,
-         &this->Classification.Memory, &this->Segments.Memory, &this->GradientOpacity.Memory })
+  auto bytes = static_cast<std::size_t>(this->Volumes.GetBytes());
+  for (const OpenClMemory* memory : { &this->Prefix, &this->Cells, &this->Classification.Memory,
+         &this->Segments.Memory, &this->GradientOpacity.Memory })
   {
     bytes += memory->GetBytes();
   }
@@ -288,9 +325,11 @@ std::size_t OpenClScene::GetBytesOnDevice() const
 
 void OpenClScene::Release()
 {
+  this->Volumes.Release();
+  this->Current = nullptr;
   for (OpenClMemory* memory :
-    { &this->Numbers, &this->Volume, &this->Prefix, &this->Blanking, &this->Cells,
-      &this->Classification.Memory, &this->Segments.Memory, &this->GradientOpacity.Memory })
+    { &this->Numbers, &this->Prefix, &this->Cells, &this->Classification.Memory,
+      &this->Segments.Memory, &this->GradientOpacity.Memory })
   {
     memory->Release();
   }
@@ -299,6 +338,6 @@ void OpenClScene::Release()
     table->Used = false;
   }
   this->Session = nullptr;
-  this->TexelStamp = this->TableStamp = this->CellStamp = 0;
+  this->TableStamp = this->CellStamp = 0;
 }
 }

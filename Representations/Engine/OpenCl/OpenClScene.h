@@ -4,6 +4,7 @@
 #ifndef volumebench_OpenClScene_h
 #define volumebench_OpenClScene_h
 
+#include "Bricks/VolumeStore.h"
 #include "OpenCl/OpenClMemory.h"
 #include "Scene/Features.h"
 #include "Scene/KernelScene.h"
@@ -41,6 +42,9 @@ private:
 class OpenClScene
 {
 public:
+  /// What the device takes of a volume's texels in one piece, and of its memory in all.
+  static VolumeRoom RoomFor(const Volume& volume, const OpenClSession& session, bool buffers);
+
   /// Sends what changed to the device. Throws SceneError when it has no room, or when the volume is
   /// larger than its images may be.
   void Update(const Scene& scene, const FeatureSet& features, OpenClSession& session, bool buffers);
@@ -68,11 +72,23 @@ private:
     bool Used = false;
   };
 
-  void UpdateVolume(const volumebench::Volume& volume);
-  void UpdateBlanking(const volumebench::Volume& volume);
+  struct HeldVolume
+  {
+    OpenClMemory Texels;
+    OpenClMemory Blanking;
+
+    void Release()
+    {
+      this->Texels.Release();
+      this->Blanking.Release();
+    }
+  };
+
+  void UpdateVolume(const Scene& scene);
+  void SendVolume(const Volume& volume, OpenClMemory& texels);
   void UpdateTables(const TransferFunction& function);
   void UpdateCells(const Skipping& skipping);
-  void CreateVolume(const volumebench::Volume& volume);
+  void CreateVolume(const Volume& volume, OpenClMemory& texels);
   void SendTable(Table& table, const SharedTable<glm::vec4>& entries, int columns, int rows);
   void SendTable(Table& table, const void* entries, bool single, int columns, int rows);
   void AddTable(const Table& table, KernelArguments& arguments) const;
@@ -81,9 +97,9 @@ private:
   bool Buffers = false;
   FeatureSet Features;
   OpenClMemory Numbers;
-  OpenClMemory Volume;
+  VolumeStore<HeldVolume> Volumes;
+  HeldVolume* Current = nullptr; // of the scene of the last update
   OpenClMemory Prefix;
-  OpenClMemory Blanking;
   OpenClMemory Cells; // codes, blocks or extremes
   bool HasBlocks = false;
   Table Classification;
@@ -91,7 +107,6 @@ private:
   Table GradientOpacity;
   TexelFormat Format = TexelFormat::Float32;
   bool Nearest = false;
-  ChangeStamp TexelStamp = 0;
   ChangeStamp TableStamp = 0;
   FeatureSet TableFeatures; // that have tables
   ChangeStamp CellStamp = 0;

@@ -67,11 +67,13 @@ bool HasEmptyCells(const Scene& s)
     (!cells->Extremes.empty() || cells->OccupiedShare < MostOccupied || HasGradedSteps(s));
 }
 
+// In bricks, some of which may have an empty margin, all have the same kernel.
 bool HasEmptyMargin(const Scene& s)
 {
   const CellMap* cells = s.Skipping.Cells.get();
   return cells &&
-    (cells->OccupiedLow != -s.Volume.BoxHalf || cells->OccupiedHigh != s.Volume.BoxHalf);
+    (s.Bricks ||
+      cells->OccupiedLow != -s.Volume.BoxHalf || cells->OccupiedHigh != s.Volume.BoxHalf);
 }
 
 // Whether some ray may be deep enough to stop early.
@@ -258,6 +260,8 @@ std::vector<FeatureRow> SkippingRows()
         const char* why = WhyNoSimdRays(s);
         return why ? why : "for OpenCL on CPUs";
       } },
+    { Feature::Bricks, "bricks", "WITH_BRICKS", "volume in bricks", "the device takes it at once",
+      [](const Scene& s) { return s.Bricks != nullptr; } },
   };
 }
 }
@@ -295,6 +299,10 @@ const char* WhyNoSimdRays(const Scene& s)
   if (s.Lighting.Enabled || !function.GradientTable.empty())
   {
     return s.Lighting.Enabled ? "shading" : "gradient opacity";
+  }
+  if (s.Bricks)
+  {
+    return "the volume is in bricks";
   }
   return s.Clip.CropRegionFlags != 0 ? "crop regions" : nullptr;
 }

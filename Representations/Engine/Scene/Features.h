@@ -45,6 +45,7 @@ enum class Feature
   HomogeneousCells,
   OneColor,
   SimdRays,
+  Bricks,
   Count
 };
 

@@ -224,14 +224,47 @@ void PackExtremes(const Scene& scene, SceneBlock64& block)
     1.0 / FullScaleSamples(scene) };
 }
 
+struct SeenBox
+{
+  glm::dvec3 Low;
+  glm::dvec3 High;
+};
+
+// Round all that can be seen of what is drawn, in voxels.
+SeenBox SeenBoxOf(const Scene& scene)
+{
+  if (scene.Brick)
+  {
+    return { scene.Brick->SeenLow, scene.Brick->SeenHigh };
+  }
+  const CellMap* cells = scene.Skipping.Cells.get();
+  return cells ? SeenBox{ cells->OccupiedLow, cells->OccupiedHigh }
+               : SeenBox{ -scene.Volume.BoxHalf, scene.Volume.BoxHalf };
+}
+
+// Texels are at whole numbers and a half of those that the device holds.
+void PackTexture(const Volume& volume, SceneBlock64& block)
+{
+  const TexelBox held = volume.Held();
+  const glm::dvec3 size(held.Size);
+  const glm::dvec3 middle = 0.5 * glm::dvec3(volume.Texels) - glm::dvec3(held.First);
+  block.textureScale = { 1.0 / size, 0.0 };
+  block.textureOffset = { middle / size, 0.0 };
+  block.textureSize = { size, 0.0 };
+}
+
 void PackSkipping(const Scene& scene, SceneBlock64& block)
 {
-  block.occupiedLow = { -scene.Volume.BoxHalf, 0.0 };
-  block.occupiedHigh = { scene.Volume.BoxHalf, 0.0 };
+  const SeenBox seen = SeenBoxOf(scene);
+  block.occupiedLow = { seen.Low, 0.0 };
+  block.occupiedHigh = { seen.High, 0.0 };
+  if (scene.Brick)
+  {
+    block.brickLow = { scene.Brick->Low, 0.0 };
+    block.brickHigh = { scene.Brick->High, 0.0 };
+  }
   if (const CellMap* cells = scene.Skipping.Cells.get())
   {
-    block.occupiedLow = { cells->OccupiedLow, 0.0 };
-    block.occupiedHigh = { cells->OccupiedHigh, 0.0 };
     block.cells = { glm::dvec3(cells->Cells - 1), 1.0 / cells->EdgeVoxels };
   }
 }
@@ -268,10 +301,7 @@ SceneBlock64 PackScene(const Scene& scene)
   PackProjection(scene.Camera, block);
   block.rectangle = glm::dvec4(BoxRectangle(scene));
   block.boxHalf = { volume.BoxHalf, 0.0 };
-  const glm::dvec3 texels(volume.Texels);
-  block.textureScale = { 1.0 / texels, 0.0 };
-  block.textureOffset = { 0.5, 0.5, 0.5, 0.0 };
-  block.textureSize = { texels, 0.0 };
+  PackTexture(volume, block);
   PackWorld(volume, block);
   const glm::dmat4 voxelToClip = scene.Camera.ViewToClip * voxelToView;
   block.clipX = Row(voxelToClip, 0);
@@ -335,8 +365,8 @@ glm::ivec4 RectangleOf(const Scene& scene, const glm::dvec3& lowest, const glm::
 
 glm::ivec4 ScreenRectangle(const Scene& scene)
 {
-  const CellMap* cells = scene.Skipping.Cells.get();
-  return cells ? RectangleOf(scene, cells->OccupiedLow, cells->OccupiedHigh) : BoxRectangle(scene);
+  const SeenBox seen = SeenBoxOf(scene);
+  return RectangleOf(scene, seen.Low, seen.High);
 }
 
 glm::ivec4 BoxRectangle(const Scene& scene)

@@ -69,6 +69,13 @@ enum class TexelFormat
   Float32     // R32F: everything else
 };
 
+/// Some of a volume's texels: Size of them on each axis from First on.
+struct TexelBox
+{
+  glm::ivec3 First{ 0 };
+  glm::ivec3 Size{ 0 };
+};
+
 /// The field: one channel, or with dependent components two (colour by the first, opacity by the
 /// second) or four (red, green, blue, opacity by the fourth). Voxel space has its origin in the
 /// middle of the box and one unit per voxel edge.
@@ -79,7 +86,8 @@ struct Volume
   int Component = 0; // of one channel; -1 for the magnitude
   int Channels = 1;  // 1, 2 or 4
   glm::ivec3 Texels{ 0 };
-  glm::dvec3 BoxHalf{ 0.0 }; // voxels
+  std::optional<TexelBox> Part; // that goes to the device, of a volume in bricks
+  glm::dvec3 BoxHalf{ 0.0 };    // voxels
   glm::dmat4 VoxelToWorld{ 1.0 };
   glm::dmat4 VoxelToData{ 1.0 }; // before the actor's own matrix: space of crop box and opacity
   ValueMapping Mapping;          // of the channel that opacity is looked up by
@@ -96,6 +104,9 @@ struct Volume
   ChangeStamp TexelStamp = 0; // of the texels alone, however they are filtered
 
   bool HasBlanks() const { return this->HasNonFinite || this->PointGhosts || this->CellGhosts; }
+
+  /// The texels that go to the device.
+  TexelBox Held() const { return this->Part.value_or(TexelBox{ glm::ivec3(0), this->Texels }); }
 };
 
 /// Entries (red, green, blue, extinction per data unit), equally spaced: extinctions from Low to
@@ -242,6 +253,7 @@ struct Sampling
   Slicing Slices;
   OpenClChoice OpenCl;
   ReferenceMethod Method = ReferenceMethod::CellExact; // of technique reference
+  double MemoryBudgetMiB = 0.0;      // that voxels may take on the device; 0: as it has
 };
 
 enum class BlendMode
@@ -302,6 +314,18 @@ struct Skipping
   double GridMs = std::numeric_limits<double>::quiet_NaN(); // that making it took
 };
 
+/// A box of a volume that is too large to be drawn at once, with the texels that drawing it reads.
+/// Corners are in voxels from the middle of the volume's box.
+struct Brick
+{
+  TexelBox Texels;
+  glm::dvec3 Low{ 0.0 }; // it is between these; without end where the volume ends
+  glm::dvec3 High{ 0.0 };
+  glm::dvec3 SeenLow{ 0.0 }; // box round all of it that can be seen
+  glm::dvec3 SeenHigh{ 0.0 };
+  ChangeStamp Stamp = 0; // of its texels
+};
+
 struct Scene
 {
   volumebench::Volume Volume;
@@ -313,6 +337,11 @@ struct Scene
   volumebench::Clip Clip;
   volumebench::Measurement Measurement;
   volumebench::Skipping Skipping;
+
+  /// Front to back, without those that show nothing. Null: the volume is drawn at once.
+  std::shared_ptr<const std::vector<volumebench::Brick>> Bricks;
+  std::optional<volumebench::Brick> Brick; // that is drawn now
+  double BrickBytes = std::numeric_limits<double>::infinity(); // that bricks may take together
 };
 
 /// Ghost flags that keep a point or cell from being drawn. Duplicate points are only needed by

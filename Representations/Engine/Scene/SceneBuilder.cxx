@@ -114,6 +114,12 @@ Sampling BuildSampling(vtkVolumeBenchMapper* mapper)
     throw SceneError("the error target is " + NumberText(sampling.ErrorTarget) +
       "; it must be in [0, 1], where 0 takes all steps alike");
   }
+  sampling.MemoryBudgetMiB = mapper->GetMemoryBudgetMiB();
+  if (!(sampling.MemoryBudgetMiB >= 0.0) || !std::isfinite(sampling.MemoryBudgetMiB))
+  {
+    throw SceneError("the memory budget is " + std::to_string(sampling.MemoryBudgetMiB) +
+      " MiB; it must be positive, or 0 for what the device has");
+  }
   if (sampling.JitterSeed < 0 || sampling.JitterSeed > MostJitterSeed)
   {
     throw SceneError("the jitter seed is " + std::to_string(sampling.JitterSeed) +

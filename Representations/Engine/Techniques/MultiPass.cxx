@@ -23,7 +23,7 @@ void MultiPass::Draw(const Scene& scene, vtkOpenGLRenderWindow* window, const gl
   this->BindWithScene(march, window, units);
   march.SetUnit("entryPointTexture", units.Attach(this->Faces.GetEntryPoints()));
   march.SetUnit("rayDirectionTexture", units.Attach(this->Faces.GetDirections()));
-  BlendOver(window);
+  this->BlendPicture(window);
   this->GetFrameStages().OnDevice("march", [&] { this->DrawTriangle(window, &rectangle); });
 }
 }

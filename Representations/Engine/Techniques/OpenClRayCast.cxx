@@ -99,6 +99,13 @@ FeatureSet OpenClRayCast::FeaturesFor(const Scene& scene) const
   return features;
 }
 
+std::optional<VolumeRoom> OpenClRayCast::RoomFor(const Scene& scene) const
+{
+  const OpenClDevice& device = ChooseOpenClDevice(OpenClDevices(), scene.Sampling.OpenCl.Device);
+  return OpenClScene::RoomFor(
+    scene.Volume, OpenClSession::Of(device), UsesBuffers(scene, device));
+}
+
 void OpenClRayCast::Compile(const Scene& scene)
 {
   this->ProgramOf({ "Viewport.vert", "Picture.frag" });

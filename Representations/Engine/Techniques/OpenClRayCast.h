@@ -23,6 +23,7 @@ public:
   /// The device of "Auto".
   std::string GetDeviceName() const override;
   SetUpCosts GetSetUpCosts() const override;
+  std::optional<VolumeRoom> RoomFor(const Scene& scene) const override;
 
 protected:
   /// SIMD rays are the choice of this technique.

@@ -4,6 +4,7 @@
 #include "Scene/CheckScene.h"
 #include "Scene/NumberText.h"
 #include "Scene/PackScene.h"
+#include "Techniques/Gathering.h"
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
@@ -55,11 +56,46 @@ void OpenGlTechnique::Prepare(const Scene& scene, vtkOpenGLRenderWindow* window)
   {
     this->Depth.Release();
   }
+  if (scene.Bricks)
+  {
+    this->LoadBricks(scene);
+  }
+  else
+  {
+    this->Gathered.Release();
+    this->Load(scene);
+  }
+}
+
+std::optional<VolumeRoom> OpenGlTechnique::RoomFor(const Scene& scene) const
+{
+  return this->ReadsTextures() ? std::make_optional(SceneTextures::RoomFor(scene.Volume))
+                               : std::nullopt;
+}
+
+void OpenGlTechnique::Load(const Scene& scene)
+{
   if (this->ReadsTextures())
   {
     this->Textures.Update(scene, this->Features);
   }
   this->Compile(scene);
+}
+
+// As many bricks as there is room for, so that a device without that much memory says so before
+// anything is drawn.
+void OpenGlTechnique::LoadBricks(const Scene& scene)
+{
+  for (const Brick& brick : *scene.Bricks)
+  {
+    const Scene part = SceneOfBrick(scene, brick);
+    const bool first = brick.Stamp == scene.Bricks->front().Stamp;
+    if (first || (this->ReadsTextures() && this->Textures.HasRoomFor(part)))
+    {
+      this->Load(part);
+    }
+  }
+  this->ProgramOf({ "Viewport.vert", "Finish.frag" });
 }
 
 const GlProgram& OpenGlTechnique::ProgramOf(
@@ -82,10 +118,44 @@ void OpenGlTechnique::Render(const Scene& scene, vtkOpenGLRenderWindow* window)
       this->Depth.Capture(window, scene.Camera.Viewport);
     }
     const Unbinding afterwards; // however drawing ends
-    this->Numbers.Bind(scene);
-    this->Draw(scene, window, rectangle);
+    scene.Bricks ? this->DrawBricks(scene, window, rectangle)
+                 : this->DrawPart(scene, window, rectangle);
   }
   this->LastStages = this->Stages.Collect();
+}
+
+void OpenGlTechnique::DrawPart(
+  const Scene& scene, vtkOpenGLRenderWindow* window, const glm::ivec4& rectangle)
+{
+  this->Numbers.Bind(scene);
+  this->Draw(scene, window, rectangle);
+  window->GetState()->vtkglBlendEquationSeparate(GL_FUNC_ADD, GL_FUNC_ADD);
+  GlProgram::Unbind();
+  SceneBuffer::Unbind();
+}
+
+void OpenGlTechnique::DrawBricks(
+  const Scene& scene, vtkOpenGLRenderWindow* window, const glm::ivec4& rectangle)
+{
+  {
+    const OffscreenScope scope(window);
+    this->Gathered.Begin(window, scene.Camera.Viewport, this->Features);
+    for (const Brick& brick : *scene.Bricks)
+    {
+      const Scene part = SceneOfBrick(scene, brick);
+      const glm::ivec4 covered = ScreenRectangle(part);
+      if (covered.z > 0 && covered.w > 0)
+      {
+        this->Load(part);
+        window->GetState()->vtkglDisable(GL_SCISSOR_TEST);
+        this->DrawPart(part, window, covered);
+      }
+    }
+  }
+  this->Numbers.Bind(scene);
+  this->Finish(window, this->Gathered.GetTexture(), glm::ivec2(0), rectangle);
+  GlProgram::Unbind();
+  SceneBuffer::Unbind();
 }
 
 void OpenGlTechnique::BindWithScene(
@@ -143,13 +213,23 @@ void OpenGlTechnique::FillBoxFaces(
     });
 }
 
-void OpenGlTechnique::BlendOver(vtkOpenGLRenderWindow* window)
+void OpenGlTechnique::BlendPicture(vtkOpenGLRenderWindow* window)
 {
-  vtkOpenGLState* state = window->GetState();
-  state->vtkglEnable(GL_BLEND);
-  state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  state->vtkglDisable(GL_DEPTH_TEST);
-  state->vtkglDepthMask(GL_FALSE);
+  constexpr bool BackToFront = false;
+  Has(this->Features, Feature::Bricks) ? BlendAsGathered(window, this->Features, BackToFront)
+                                       : BlendOver(window);
+}
+
+void OpenGlTechnique::Finish(vtkOpenGLRenderWindow* window, GlTexture& gathered, glm::ivec2 first,
+  const glm::ivec4& rectangle)
+{
+  const GlProgram& program = this->ProgramOf({ "Viewport.vert", "Finish.frag" });
+  TextureUnits units(window);
+  this->BindWithScene(program, window, units);
+  program.SetUnit("gatheredTexture", units.Attach(gathered));
+  program.SetNumbers("firstPixel", static_cast<float>(first.x), static_cast<float>(first.y));
+  BlendOver(window);
+  this->Stages.OnDevice("display", [&] { this->DrawTriangle(window, &rectangle); });
 }
 
 void OpenGlTechnique::BlendOff(vtkOpenGLRenderWindow* window)
@@ -167,7 +247,7 @@ void OpenGlTechnique::DisplayPicture(
   TextureUnits units(window);
   display.Bind(window);
   display.SetUnit("pictureTexture", units.Attach(picture));
-  BlendOver(window);
+  this->BlendPicture(window);
   this->Stages.OnDevice("display", [&] { this->DrawTriangle(window, &rectangle); });
 }
 
@@ -179,7 +259,8 @@ SetUpCosts OpenGlTechnique::GetSetUpCosts() const
   const bool onDevice = Has(this->Features, Feature::Skipping);
   costs.GridMs = onDevice ? this->Textures.GetGridMs() : this->HostGridMs;
   costs.CompileMs = this->Programs.GetCompileMs();
-  costs.BytesOnDevice = this->Textures.GetBytesOnDevice() + this->GetOwnBytes();
+  costs.BytesOnDevice =
+    this->Textures.GetBytesOnDevice() + this->Gathered.GetBytes() + this->GetOwnBytes();
   return costs;
 }
 
@@ -187,6 +268,7 @@ void OpenGlTechnique::Release()
 {
   this->ReleaseOwn();
   this->Textures.Release();
+  this->Gathered.Release();
   this->Depth.Release();
   this->Stages.Release();
   this->Programs.Release();
@@ -198,6 +280,7 @@ void OpenGlTechnique::Forget()
 {
   this->ForgetOwn();
   this->Textures.Forget();
+  this->Gathered.Forget();
   this->Depth.Forget();
   this->Stages.Forget();
   this->Programs.Forget();

@@ -4,6 +4,7 @@
 #ifndef volumebench_OpenGlTechnique_h
 #define volumebench_OpenGlTechnique_h
 
+#include "Bricks/BrickPicture.h"
 #include "Gpu/FrameStages.h"
 #include "Gpu/GlTexture.h"
 #include "Gpu/KernelPrograms.h"
@@ -23,6 +24,7 @@ namespace volumebench
 class OpenGlTechnique : public Technique
 {
 public:
+  std::optional<VolumeRoom> RoomFor(const Scene& scene) const override;
   void Prepare(const Scene& scene, vtkOpenGLRenderWindow* window) final;
   void Render(const Scene& scene, vtkOpenGLRenderWindow* window) final;
   SetUpCosts GetSetUpCosts() const override;
@@ -83,9 +85,15 @@ protected:
     BoxFaces& faces);
   BoxFaces::Programs BoxFacePrograms();
 
-  /// Blends premultiplied colour over what is there; depth is not tested.
-  static void BlendOver(vtkOpenGLRenderWindow* window);
+  /// Blends premultiplied colour over what is there, or what a brick shows with what those before it
+  /// do; depth is not tested.
+  void BlendPicture(vtkOpenGLRenderWindow* window);
   static void BlendOff(vtkOpenGLRenderWindow* window);
+
+  /// Turns what rays have gathered into their colour, and blends that over the pixels of
+  /// `rectangle`. The texture begins at the pixel `first`.
+  void Finish(vtkOpenGLRenderWindow* window, GlTexture& gathered, glm::ivec2 first,
+    const glm::ivec4& rectangle);
 
   /// Blends a picture of all that the box covers over the pixels of `rectangle`, as stage
   /// "display".
@@ -101,7 +109,13 @@ protected:
   OpaqueDepth& GetDepth() { return this->Depth; }
 
 private:
+  void Load(const Scene& scene);
+  void LoadBricks(const Scene& scene);
+  void DrawPart(const Scene& scene, vtkOpenGLRenderWindow* window, const glm::ivec4& rectangle);
+  void DrawBricks(const Scene& scene, vtkOpenGLRenderWindow* window, const glm::ivec4& rectangle);
+
   SceneTextures Textures;
+  BrickPicture Gathered;
   SceneBuffer Numbers;
   OpaqueDepth Depth;
   FrameStages Stages;

@@ -3,6 +3,7 @@
 #include "Gpu/GlRoom.h"
 #include "Scene/FrameRate.h"
 #include "Scene/PackScene.h"
+#include "Techniques/Gathering.h"
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtk_glew.h"

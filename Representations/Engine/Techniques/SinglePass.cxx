@@ -21,7 +21,7 @@ void SinglePass::Draw(
 {
   TextureUnits units(window);
   this->BindWithScene(this->Program(), window, units);
-  BlendOver(window);
+  this->BlendPicture(window);
   if (Has(this->GetFeatures(), Feature::RasterisedSetUp))
   {
     // Back faces: they are there also when the camera is inside.

@@ -4,6 +4,7 @@
 #include "Scene/CellMap.h"
 #include "Scene/PackScene.h"
 #include "Stopwatch.h"
+#include "Techniques/Gathering.h"
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
@@ -17,16 +18,10 @@ namespace
 {
 constexpr GLuint CornerAttribute = 0; // layout(location) in Slices.vert
 
-bool Projects(const FeatureSet& features)
-{
-  return Has(features, Feature::MaximumBlend) || Has(features, Feature::MinimumBlend) ||
-    Has(features, Feature::AverageBlend);
-}
-
 // Sums and extreme values need all their digits, whatever target the scene asks for.
 GLenum TargetFormat(const Scene& scene, const FeatureSet& features)
 {
-  if (Projects(features) || Has(features, Feature::SampleCount))
+  if (ProjectsValue(features) || Has(features, Feature::SampleCount))
   {
     return GL_RGBA32F;
   }
@@ -56,17 +51,6 @@ std::vector<SlabRange> BatchesOf(int slabs, bool backToFront)
     std::reverse(batches.begin(), batches.end());
   }
   return batches;
-}
-
-// emptyRay of Shared/Composite.h.
-glm::vec4 EmptyRay(const FeatureSet& features)
-{
-  if (Has(features, Feature::SampleCount) || !Projects(features) ||
-    Has(features, Feature::AverageBlend))
-  {
-    return glm::vec4(0.0f);
-  }
-  return { Has(features, Feature::MaximumBlend) ? -1.0e30f : 1.0e30f, 0.0f, 0.0f, 0.0f };
 }
 }
 
@@ -100,12 +84,32 @@ bool Slices::LeavesTilesOut() const
   return Has(this->GetFeatures(), Feature::TightBox) || Has(this->GetFeatures(), Feature::Skipping);
 }
 
-void Slices::Compile(const Scene&)
+void Slices::Compile(const Scene& scene)
 {
   this->ProgramOf({ "Viewport.vert", "SlabRays.frag" });
   this->ProgramOf({ "Slices.vert", "Slices.frag" });
   this->ProgramOf({ "Viewport.vert", "SlicesBatch.frag" });
-  this->ProgramOf({ "Viewport.vert", "SlicesDisplay.frag" });
+  this->ProgramOf({ "Viewport.vert", scene.Brick ? "Picture.frag" : "Finish.frag" });
+}
+
+// The slabs that may touch what is drawn, one more at either end for rounding and for jitter, which
+// moves slabs by up to one.
+SlabRange Slices::SlabsOf(const Scene& scene, const SliceView& view)
+{
+  const SlabSeries& slabs = view.Slabs;
+  if (!scene.Brick)
+  {
+    return { 0, slabs.Count };
+  }
+  const glm::dvec3 middle = 0.5 * (scene.Brick->SeenHigh + scene.Brick->SeenLow);
+  const glm::dvec3 half = 0.5 * (scene.Brick->SeenHigh - scene.Brick->SeenLow);
+  const double depth = view.MiddleDepth + glm::dot(view.DepthGradient, middle) - slabs.First;
+  const double reach = glm::dot(glm::abs(view.DepthGradient), half);
+  const double last = slabs.Count;
+  const double first = std::floor((depth - reach) / slabs.Spacing) - 1.0;
+  const double end = std::ceil((depth + reach) / slabs.Spacing) + 1.0;
+  const int from = static_cast<int>(std::clamp(first, 0.0, last));
+  return { from, static_cast<int>(std::clamp(end, 0.0, last)) - from };
 }
 
 int Slices::ThreadsFor(const Scene&, int) const
@@ -130,7 +134,9 @@ void Slices::UpdatePolygons(const Scene& scene, const TileView& view, const Slab
     this->Tiled = tiled;
   }
   const bool backToFront = scene.Sampling.Slices.BackToFront;
-  tiled ? this->OrderTiles(backToFront) : this->OrderPolygons(backToFront);
+  const SlabRange drawn = SlabsOf(scene, view.Slices);
+  const SlabRange part{ drawn.First - range.First, drawn.Count };
+  tiled ? this->OrderTiles(part, backToFront) : this->OrderPolygons(part, backToFront);
   this->GetFrameStages().Add("tessellation", watch.ElapsedMs());
   this->GetFrameStages().OnDevice("upload",
     [&]
@@ -170,15 +176,16 @@ void Slices::UploadCorners(const std::vector<SliceCorner>& corners)
   glEnableVertexAttribArray(CornerAttribute);
 }
 
-void Slices::OrderTiles(bool backToFront)
+void Slices::OrderTiles(const SlabRange& part, bool backToFront)
 {
   constexpr int Corners = 4;
   const std::vector<int>& firsts = this->Tiles.GetFirsts();
-  const int slabs = static_cast<int>(firsts.size()) - 1;
+  const int begin = std::max(0, part.First);
+  const int end = std::min(static_cast<int>(firsts.size()) - 1, part.First + part.Count);
   this->Firsts.clear();
-  for (int i = 0; i < slabs; ++i)
+  for (int i = begin; i < end; ++i)
   {
-    const int slab = backToFront ? slabs - 1 - i : i;
+    const int slab = backToFront ? end - 1 - (i - begin) : i;
     for (int first = firsts[slab]; first < firsts[slab + 1]; first += Corners)
     {
       this->Firsts.push_back(first);
@@ -187,15 +194,16 @@ void Slices::OrderTiles(bool backToFront)
   this->Counts.assign(this->Firsts.size(), Corners);
 }
 
-void Slices::OrderPolygons(bool backToFront)
+void Slices::OrderPolygons(const SlabRange& part, bool backToFront)
 {
   const std::vector<int>& counts = this->Polygons.GetCounts();
-  const int slabs = static_cast<int>(counts.size());
+  const int begin = std::max(0, part.First);
+  const int end = std::min(static_cast<int>(counts.size()), part.First + part.Count);
   this->Firsts.clear();
   this->Counts.clear();
-  for (int i = 0; i < slabs; ++i)
+  for (int i = begin; i < end; ++i)
   {
-    const int slab = backToFront ? slabs - 1 - i : i;
+    const int slab = backToFront ? end - 1 - (i - begin) : i;
     if (counts[slab] > 0)
     {
       this->Firsts.push_back(slab * SlicePolygons::SlotCorners);
@@ -204,43 +212,31 @@ void Slices::OrderPolygons(bool backToFront)
   }
 }
 
-// The formulas of `accumulate` in Shared/Composite.h.
 void Slices::SetBlending(const Scene& scene, vtkOpenGLRenderWindow* window)
 {
-  vtkOpenGLState* state = window->GetState();
-  const FeatureSet features = this->GetFeatures();
-  BlendOver(window);
-  if (Has(features, Feature::SampleCount) || Has(features, Feature::AverageBlend))
-  {
-    state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
-  }
-  else if (Projects(features))
-  {
-    const GLenum extreme = Has(features, Feature::MaximumBlend) ? GL_MAX : GL_MIN;
-    state->vtkglBlendEquationSeparate(extreme, extreme);
-  }
-  else if (!scene.Sampling.Slices.BackToFront)
-  {
-    state->vtkglBlendFuncSeparate(GL_ONE_MINUS_DST_ALPHA, GL_ONE, GL_ONE_MINUS_DST_ALPHA, GL_ONE);
-  }
+  BlendAsGathered(window, this->GetFeatures(), scene.Sampling.Slices.BackToFront);
 }
 
-void Slices::DrawRays(
-  const Scene& scene, vtkOpenGLRenderWindow* window, const glm::ivec4& rectangle)
+void Slices::DrawRays(const Scene& scene, const SlabSeries& slabs, vtkOpenGLRenderWindow* window,
+  const glm::ivec4& rectangle)
 {
   const OffscreenScope scope(window);
   const glm::ivec4 box = BoxRectangle(scene);
   this->Rays.Resize(glm::ivec2(box.z, box.w), GL_RGBA32F);
   this->Rays.Bind(window, box, scene.Camera.Viewport);
   TextureUnits units(window);
-  this->BindWithScene(this->ProgramOf({ "Viewport.vert", "SlabRays.frag" }), window, units);
+  const GlProgram& program = this->ProgramOf({ "Viewport.vert", "SlabRays.frag" });
+  this->BindWithScene(program, window, units);
+  program.SetNumbers(
+    "slabSeries", static_cast<float>(slabs.First), static_cast<float>(slabs.Spacing));
   BlendOff(window);
   const glm::ivec4 part(rectangle.x - box.x, rectangle.y - box.y, rectangle.z, rectangle.w);
   this->DrawTriangle(window, &part);
   window->GetState()->vtkglDisable(GL_SCISSOR_TEST);
 }
 
-void Slices::DrawPolygons(const Scene& scene, vtkOpenGLRenderWindow* window)
+void Slices::DrawPolygons(
+  const Scene& scene, vtkOpenGLRenderWindow* window, const glm::ivec4& rectangle)
 {
   const GlProgram& program = this->ProgramOf({ "Slices.vert", "Slices.frag" });
   TextureUnits units(window);
@@ -249,11 +245,16 @@ void Slices::DrawPolygons(const Scene& scene, vtkOpenGLRenderWindow* window)
   program.SetNumbers("slabSeries", static_cast<float>(this->View.Slices.Slabs.First),
     static_cast<float>(this->View.Slices.Slabs.Spacing));
   this->SetBlending(scene, window);
-  window->GetState()->vtkglDisable(GL_CULL_FACE);
+  vtkOpenGLState* state = window->GetState();
+  state->vtkglDisable(GL_CULL_FACE);
+  const glm::ivec4 box = BoxRectangle(scene);
+  state->vtkglEnable(GL_SCISSOR_TEST);
+  state->vtkglScissor(rectangle.x - box.x, rectangle.y - box.y, rectangle.z, rectangle.w);
   glBindVertexArray(this->CornerArray);
   glMultiDrawArrays(GL_TRIANGLE_FAN, this->Firsts.data(), this->Counts.data(),
     static_cast<GLsizei>(this->Firsts.size()));
-  window->GetState()->vtkglBlendEquationSeparate(GL_FUNC_ADD, GL_FUNC_ADD);
+  state->vtkglDisable(GL_SCISSOR_TEST);
+  state->vtkglBlendEquationSeparate(GL_FUNC_ADD, GL_FUNC_ADD);
 }
 
 // Slabs blended together are blended with others as if they were one.
@@ -268,24 +269,24 @@ void Slices::MergeBatch(const Scene& scene, vtkOpenGLRenderWindow* window)
   window->GetState()->vtkglBlendEquationSeparate(GL_FUNC_ADD, GL_FUNC_ADD);
 }
 
-void Slices::DrawSlabs(const Scene& scene, vtkOpenGLRenderWindow* window)
+void Slices::DrawSlabs(const Scene& scene, const SliceView& slices, vtkOpenGLRenderWindow* window,
+  const glm::ivec4& rectangle)
 {
-  const glm::ivec4 rectangle = BoxRectangle(scene);
+  const glm::ivec4 box = BoxRectangle(scene);
   const glm::ivec4& viewport = scene.Camera.Viewport;
   TileView view;
-  // The spacing is that of the whole box, so that leaving parts out moves no sample.
-  view.Slices = MakeSliceView(scene, this->GetNumbers(), rectangle);
+  view.Slices = slices;
   view.Cells = this->LeavesTilesOut() ? scene.Skipping.Cells->Stamp : 0;
   view.MovedSlabs = MovesBorders(this->GetFeatures()) ? 1 : 0;
   view.Viewport = viewport;
-  view.Rectangle = rectangle;
+  view.Rectangle = box;
   const std::vector<SlabRange> batches =
     BatchesOf(view.Slices.Slabs.Count, scene.Sampling.Slices.BackToFront);
-  const glm::ivec2 size(rectangle.z, rectangle.w);
+  const glm::ivec2 size(box.z, box.w);
   const glm::vec4 empty = EmptyRay(this->GetFeatures());
   const OffscreenScope scope(window);
   this->Target.Resize(size, TargetFormat(scene, this->GetFeatures()));
-  this->Target.Bind(window, rectangle, viewport);
+  this->Target.Bind(window, box, viewport);
   OffscreenTarget::Clear(empty);
   if (batches.size() == 1)
   {
@@ -299,14 +300,14 @@ void Slices::DrawSlabs(const Scene& scene, vtkOpenGLRenderWindow* window)
       {
         if (batches.size() == 1)
         {
-          this->DrawPolygons(scene, window);
+          this->DrawPolygons(scene, window, rectangle);
           return;
         }
         this->Batch.Resize(size, TargetFormat(scene, this->GetFeatures()));
-        this->Batch.Bind(window, rectangle, viewport);
+        this->Batch.Bind(window, box, viewport);
         OffscreenTarget::Clear(empty);
-        this->DrawPolygons(scene, window);
-        this->Target.Bind(window, rectangle, viewport);
+        this->DrawPolygons(scene, window, rectangle);
+        this->Target.Bind(window, box, viewport);
         this->MergeBatch(scene, window);
       });
   }
@@ -314,14 +315,20 @@ void Slices::DrawSlabs(const Scene& scene, vtkOpenGLRenderWindow* window)
 
 void Slices::Draw(const Scene& scene, vtkOpenGLRenderWindow* window, const glm::ivec4& rectangle)
 {
-  this->GetFrameStages().OnDevice("rays", [&] { this->DrawRays(scene, window, rectangle); });
-  this->DrawSlabs(scene, window);
-  const GlProgram& display = this->ProgramOf({ "Viewport.vert", "SlicesDisplay.frag" });
-  TextureUnits units(window);
-  this->BindWithScene(display, window, units);
-  display.SetUnit("slicesTexture", units.Attach(this->Target.GetTexture()));
-  BlendOver(window);
-  this->GetFrameStages().OnDevice("display", [&] { this->DrawTriangle(window, &rectangle); });
+  // The spacing is that of the whole box, so that leaving parts out moves no sample.
+  const glm::ivec4 box = BoxRectangle(scene);
+  const SliceView view = MakeSliceView(scene, this->GetNumbers(), box);
+  this->GetFrameStages().OnDevice(
+    "rays", [&] { this->DrawRays(scene, view.Slabs, window, rectangle); });
+  this->DrawSlabs(scene, view, window, rectangle);
+  if (scene.Brick)
+  {
+    this->DisplayPicture(window, this->Target.GetTexture(), rectangle);
+  }
+  else
+  {
+    this->Finish(window, this->Target.GetTexture(), { box.x, box.y }, rectangle);
+  }
 }
 
 void Slices::ReleaseOwn()

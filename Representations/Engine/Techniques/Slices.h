@@ -34,11 +34,16 @@ private:
   bool LeavesTilesOut() const;
   void UpdatePolygons(const Scene& scene, const TileView& view, const SlabRange& range);
   void UploadCorners(const std::vector<SliceCorner>& corners);
-  void OrderPolygons(bool backToFront);
-  void OrderTiles(bool backToFront);
-  void DrawRays(const Scene& scene, vtkOpenGLRenderWindow* window, const glm::ivec4& rectangle);
-  void DrawSlabs(const Scene& scene, vtkOpenGLRenderWindow* window);
-  void DrawPolygons(const Scene& scene, vtkOpenGLRenderWindow* window);
+  static SlabRange SlabsOf(const Scene& scene, const SliceView& view);
+  /// Of the slabs in `part`, counted from the first that has polygons.
+  void OrderPolygons(const SlabRange& part, bool backToFront);
+  void OrderTiles(const SlabRange& part, bool backToFront);
+  void DrawRays(const Scene& scene, const SlabSeries& slabs, vtkOpenGLRenderWindow* window,
+    const glm::ivec4& rectangle);
+  void DrawSlabs(const Scene& scene, const SliceView& slices, vtkOpenGLRenderWindow* window,
+    const glm::ivec4& rectangle);
+  void DrawPolygons(
+    const Scene& scene, vtkOpenGLRenderWindow* window, const glm::ivec4& rectangle);
   void MergeBatch(const Scene& scene, vtkOpenGLRenderWindow* window);
   void SetBlending(const Scene& scene, vtkOpenGLRenderWindow* window);
 

@@ -2,12 +2,14 @@
 #ifndef volumebench_Technique_h
 #define volumebench_Technique_h
 
+#include "Bricks/BrickPlan.h"
 #include "Scene/Features.h"
 #include "Scene/Scene.h"
 
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -52,6 +54,10 @@ public:
 
   /// Whether its steps may have different lengths, as the cells of a graded CellMap say.
   virtual bool StepsMayVary() const { return false; }
+
+  /// What its device has room for of the scene's volume, which is divided into bricks where that is
+  /// less; nothing for a technique that reads the volume where it is. The context is current.
+  virtual std::optional<VolumeRoom> RoomFor(const Scene&) const { return {}; }
 
   /// Uploads and compiles what the scene changed. Throws SceneError or KernelError.
   virtual void Prepare(const Scene& scene, vtkOpenGLRenderWindow* window) = 0;

@@ -1,0 +1,222 @@
+// A volume that the device does not take at once: its picture in bricks is that of the whole.
+#include "ConformanceScene.h"
+#include "EveryTechnique.h"
+
+#include "Error/ImageError.h"
+#include "Techniques/Technique.h"
+
+#include "vtkActor.h"
+#include "vtkCellData.h"
+#include "vtkPlane.h"
+#include "vtkPlaneCollection.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkSphereSource.h"
+
+using namespace volumebench;
+using namespace volumebench::test;
+
+namespace
+{
+constexpr double Mebibyte = 1024.0 * 1024.0;
+constexpr int Dims[3] = { 49, 41, 33 };
+
+// Two hills with nothing between them.
+double TwoHills(double i, double j, double k)
+{
+  const double near = std::hypot(i - 10.0, j - 12.0, k - 22.0);
+  const double far = std::hypot(i - 36.0, j - 27.0, k - 12.0);
+  return std::max(0.0, 1.0 - std::min(near / 12.0, far / 14.0)) * (1.0 + 0.2 * std::sin(i + k));
+}
+
+vtkSmartPointer<vtkImageData> HillsWithHoles()
+{
+  auto image = MakeImage(Dims[0], Dims[1], Dims[2], TwoHills, VTK_FLOAT);
+  for (const vtkIdType hole : { 12 + 49 * (12 + 41 * 20), 30 + 49 * (25 + 41 * 12), 16 })
+  {
+    image->GetPointData()->GetArray("field")->SetTuple1(hole, vtkMath::Nan());
+  }
+  return image;
+}
+
+struct Variation
+{
+  std::string Name;
+  std::function<void(RenderScene&)> Arrange;
+  std::function<vtkSmartPointer<vtkImageData>()> Image = []
+  { return MakeImage(Dims[0], Dims[1], Dims[2], TwoHills, VTK_FLOAT); };
+  double Most = 1e-4; // by which a channel of a pixel may differ
+};
+
+Variation WithIntegrator(int integrator, double step, bool jitter)
+{
+  return { "integrator " + std::to_string(integrator) + (jitter ? " with jitter" : ""),
+    [=](RenderScene& scene)
+    {
+      scene.Mapper->SetIntegrator(integrator);
+      scene.Mapper->SetStepVoxels(step);
+      scene.Mapper->SetJitter(jitter);
+    } };
+}
+
+Variation WithBlendMode(int mode)
+{
+  return { "blend mode " + std::to_string(mode),
+    [=](RenderScene& scene) { scene.Mapper->SetBlendMode(mode); } };
+}
+
+void LookFromInside(RenderScene& scene)
+{
+  vtkCamera* camera = scene.Renderer->GetActiveCamera();
+  camera->SetPosition(20.0, 18.0, 20.0);
+  camera->SetFocalPoint(48.0, 30.0, 8.0);
+  scene.Renderer->ResetCameraClippingRange();
+}
+
+// Rays of pixels along a face of two bricks: texel 24 begins there, half a voxel before its middle.
+void LookAlongAFace(RenderScene& scene)
+{
+  scene.LookAlongZ(16.0);
+  scene.Renderer->GetActiveCamera()->SetFocalPoint(23.75, 19.75, 16.0);
+  scene.Renderer->GetActiveCamera()->SetPosition(23.75, 19.75, 90.0);
+}
+
+void Light(RenderScene& scene)
+{
+  scene.Volume->GetProperty()->ShadeOn();
+  vtkNew<vtkPiecewiseFunction> gradient;
+  gradient->AddPoint(0.0, 0.2);
+  gradient->AddPoint(0.2, 1.0);
+  scene.Volume->GetProperty()->SetGradientOpacity(gradient);
+}
+
+void HideByASphere(RenderScene& scene)
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetCenter(30.0, 22.0, 20.0);
+  sphere->SetRadius(9.0);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(sphere->GetOutputPort());
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  scene.Renderer->AddActor(actor);
+}
+
+void CutAndCrop(RenderScene& scene)
+{
+  vtkNew<vtkPlane> plane;
+  plane->SetOrigin(14.0, 10.0, 10.0);
+  plane->SetNormal(0.9, 0.3, -0.2);
+  scene.Mapper->AddClippingPlane(plane);
+  scene.Mapper->SetCropping(1);
+  scene.Mapper->SetCroppingRegionPlanes(12.0, 37.5, 9.0, 30.0, 5.0, 25.0);
+  scene.Mapper->SetCroppingRegionFlagsToFence();
+}
+
+vtkSmartPointer<vtkImageData> HillsOfCells()
+{
+  auto points = MakeImage(Dims[0] - 1, Dims[1] - 1, Dims[2] - 1, TwoHills, VTK_UNSIGNED_CHAR);
+  auto cells = vtkSmartPointer<vtkImageData>::New();
+  cells->SetDimensions(Dims);
+  cells->SetSpacing(1.0, 1.3, 0.8);
+  cells->GetCellData()->SetScalars(points->GetPointData()->GetScalars());
+  return cells;
+}
+
+std::vector<Variation> SamplingVariations()
+{
+  return { WithIntegrator(0, 0.37, false), WithIntegrator(1, 3.0, false),
+    WithIntegrator(1, 1.7, true), WithIntegrator(2, 1.7, false), WithIntegrator(2, 0.8, true),
+    WithIntegrator(3, 0.8, false), WithIntegrator(3, 1.7, true),
+    { "no skipping", [](RenderScene& scene)
+      {
+        scene.Mapper->SetSkipping(false);
+        scene.Mapper->SetRaySetUp(0);
+      } } };
+}
+
+std::vector<Variation> SceneVariations()
+{
+  return { { "from inside", LookFromInside }, { "along a face", LookAlongAFace },
+    { "lit", Light }, { "hidden", HideByASphere }, { "cut", CutAndCrop },
+    { "NaN", [](RenderScene& scene) { scene.Mapper->SetIntegrator(2); }, HillsWithHoles },
+    { "cells", [](RenderScene& scene)
+      { scene.Volume->GetProperty()->SetInterpolationTypeToNearest(); }, HillsOfCells } };
+}
+
+std::vector<Variation> BlendVariations()
+{
+  return { WithBlendMode(vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND),
+    WithBlendMode(vtkVolumeMapper::MINIMUM_INTENSITY_BLEND),
+    WithBlendMode(vtkVolumeMapper::AVERAGE_INTENSITY_BLEND),
+    WithBlendMode(vtkVolumeBenchMapper::GRADIENT_BLEND) };
+}
+
+double Apart(const FloatPicture& a, const FloatPicture& b)
+{
+  double most = 0.0;
+  for (std::size_t i = 0; i < a.Pixels.size(); ++i)
+  {
+    most = std::max(most, std::abs(static_cast<double>(a.Pixels[i]) - b.Pixels[i]));
+  }
+  return most;
+}
+
+bool IsInBricks(const RenderScene& scene)
+{
+  return (" " + scene.Mapper->GetFeatures() + " ").find(" bricks ") != std::string::npos;
+}
+
+constexpr double VolumeBytes = 4.0 * Dims[0] * Dims[1] * Dims[2];
+
+// Half of the volume, of which bricks are a quarter: most stay, some are sent for every picture.
+constexpr double TightBudgetMiB = 0.5 * VolumeBytes / Mebibyte;
+}
+
+class Bricks : public EveryTechnique
+{
+protected:
+  void SetUp() override
+  {
+    if (!HasSteps(GetParam()))
+    {
+      GTEST_SKIP() << "reads the volume where it is";
+    }
+  }
+
+  void ExpectTheWhole(const std::vector<Variation>& variations)
+  {
+    for (const Variation& variation : variations)
+    {
+      RenderScene scene(GetParam(), variation.Image(), HillsProperty());
+      variation.Arrange(scene);
+      scene.Mapper->SetSliceOrder(variations.size() % 2); // both are drawn front to back by bricks
+      const FloatPicture whole = scene.Picture();
+      ASSERT_EQ(scene.Mapper->GetFailure(), "");
+      ASSERT_FALSE(IsInBricks(scene));
+      scene.Mapper->SetMemoryBudgetMiB(TightBudgetMiB);
+      const FloatPicture inBricks = scene.Picture();
+      ASSERT_EQ(scene.Mapper->GetFailure(), "") << variation.Name;
+      ASSERT_TRUE(IsInBricks(scene)) << variation.Name;
+      EXPECT_LE(Apart(inBricks, whole), variation.Most) << variation.Name;
+      EXPECT_GT(Apart(whole, FloatPicture{ 0, 0, std::vector<float>(whole.Pixels.size()) }), 0.1);
+      EXPECT_EQ(scene.Picture().Pixels, inBricks.Pixels) << variation.Name << ", drawn again";
+    }
+  }
+};
+
+TEST_P(Bricks, LookLikeTheWholeWithEveryIntegrator)
+{
+  this->ExpectTheWhole(SamplingVariations());
+}
+
+TEST_P(Bricks, LookLikeTheWholeInEveryScene)
+{
+  this->ExpectTheWhole(SceneVariations());
+}
+
+TEST_P(Bricks, LookLikeTheWholeInEveryBlendMode)
+{
+  this->ExpectTheWhole(BlendVariations());
+}
+
+VOLUMEBENCH_FOR_EVERY_TECHNIQUE(Bricks);
