@@ -8,7 +8,7 @@
 # REQUIRES names is false has no such technique.
 set(volumebench_technique_ids "")
 set(volumebench_left_out_rows "")
-set(volumebench_technique_settings ErrorTarget Skipping TerminationThreshold RaySetUp Jitter JitterSeed
+set(volumebench_technique_settings InteractiveFrameTime MemoryBudget ErrorTarget Skipping TerminationThreshold RaySetUp Jitter JitterSeed
   WorkGroupShape OpenclDevice OpenclStorage PictureTransfer VoxelOrder SliceExtent SliceOrder
   SliceTarget SliceThreads)
 set(volumebench_common_settings StepVoxels Integrator)
@@ -144,6 +144,7 @@ function(volumebench_generate_plugin_xml files_variable)
   set(rows "${PROJECT_SOURCE_DIR}/Representations/ParaView")
   set(benchmark "${PROJECT_SOURCE_DIR}/Plugin/Benchmark")
   volumebench_generate_xml("${rows}/Representations.xml.in" representations_xml
+    "DEVICE_ROWS=${rows}/DeviceRows.xml.in"
     "OPENCL_ROWS=${rows}/OpenClRows.xml.in"
     "READ_ONLY_ROWS=${rows}/ReadOnlyRows.xml.in"
     "PANEL_GROUPS=${rows}/PanelGroups.xml.in")

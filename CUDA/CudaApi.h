@@ -18,18 +18,19 @@
 // version.
 #define VOLUMEBENCH_CUDA_FUNCTIONS(apply)                                                          \
   apply(cuInit) apply(cuDriverGetVersion) apply(cuDeviceGetCount) apply(cuDeviceGet)               \
-    apply(cuDeviceGetName) apply(cuDeviceTotalMem) apply(cuDeviceGetAttribute) apply(cuDevicePrimaryCtxRetain)             \
-      apply(cuCtxPushCurrent) apply(cuCtxPopCurrent) apply(cuCtxSynchronize)                       \
-        apply(cuModuleLoadData) apply(cuModuleGetFunction) apply(cuModuleGetGlobal)                \
-          apply(cuFuncGetAttribute) apply(cuLaunchKernel) apply(cuMemAlloc) apply(cuMemFree)       \
-            apply(cuMemcpyHtoD) apply(cuMemcpyDtoH) apply(cuMemcpy3D) apply(cuArray3DCreate)       \
-              apply(cuArrayDestroy) apply(cuTexObjectCreate) apply(cuTexObjectDestroy)             \
-                apply(cuSurfObjectCreate) apply(cuSurfObjectDestroy) apply(cuEventCreate)          \
-                  apply(cuEventRecord) apply(cuEventSynchronize) apply(cuEventDestroy)             \
-                    apply(cuGetErrorString) apply(cuGLGetDevices)                                  \
-                      apply(cuGraphicsGLRegisterBuffer) apply(cuGraphicsUnregisterResource)        \
-                        apply(cuGraphicsMapResources) apply(cuGraphicsUnmapResources)              \
-                          apply(cuGraphicsResourceGetMappedPointer)
+    apply(cuDeviceGetName) apply(cuDeviceTotalMem) apply(cuDeviceGetAttribute)                     \
+      apply(cuDevicePrimaryCtxRetain) apply(cuCtxPushCurrent) apply(cuCtxPopCurrent)               \
+        apply(cuCtxSynchronize) apply(cuModuleLoadData) apply(cuModuleGetFunction)                 \
+          apply(cuModuleGetGlobal) apply(cuFuncGetAttribute) apply(cuLaunchKernel)                 \
+            apply(cuMemAlloc) apply(cuMemFree) apply(cuMemcpyHtoD) apply(cuMemcpyDtoH)             \
+              apply(cuMemcpy3D) apply(cuArray3DCreate) apply(cuArrayDestroy)                       \
+                apply(cuTexObjectCreate) apply(cuTexObjectDestroy) apply(cuSurfObjectCreate)       \
+                  apply(cuSurfObjectDestroy) apply(cuEventCreate) apply(cuEventRecord)             \
+                    apply(cuEventSynchronize) apply(cuEventDestroy) apply(cuGetErrorString)        \
+                      apply(cuGLGetDevices) apply(cuGraphicsGLRegisterBuffer)                      \
+                        apply(cuGraphicsUnregisterResource) apply(cuGraphicsMapResources)          \
+                          apply(cuGraphicsUnmapResources)                                          \
+                            apply(cuGraphicsResourceGetMappedPointer)
 
 #define VOLUMEBENCH_NVRTC_FUNCTIONS(apply)                                                         \
   apply(nvrtcVersion) apply(nvrtcGetNumSupportedArchs) apply(nvrtcGetSupportedArchs)               \

@@ -36,8 +36,8 @@ public:
   /// What the device takes of a volume's texels in one array, and of its memory in all.
   static VolumeRoom RoomFor(const Scene& scene, const CudaDevice& device);
 
-  /// Uploads what changed; of a volume in bricks it holds one at a time. Throws SceneError when the volume exceeds what the device takes on an
-  /// axis, or it has no memory for it.
+  /// Uploads what changed; of a volume in bricks it holds one at a time. Throws SceneError when the
+  /// volume exceeds what the device takes on an axis, or it has no memory for it.
   void Update(const Scene& scene, const FeatureSet& features, const CudaDevice& device);
 
   /// The texture objects; those of features that are not in use are 0.

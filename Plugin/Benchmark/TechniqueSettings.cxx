@@ -123,6 +123,12 @@ const SettingRow Rows[] = {
   { "error_target", true,
     [](TechniqueSettings& s, const std::string& text)
     { s.ErrorTarget = NumberOf("error_target", text); } },
+  { "interactive_frame_ms", true,
+    [](TechniqueSettings& s, const std::string& text)
+    { s.InteractiveFrameMs = NumberOf("interactive_frame_ms", text); } },
+  { "memory_budget_mib", true,
+    [](TechniqueSettings& s, const std::string& text)
+    { s.MemoryBudgetMiB = NumberOf("memory_budget_mib", text); } },
   { "jitter", true,
     [](TechniqueSettings& s, const std::string& text) { s.Jitter = SwitchOf("jitter", text); } },
   { "jitter_seed", true,
@@ -265,6 +271,8 @@ void ApplySettings(const TechniqueSettings& settings, vtkVolumeBenchMapper& mapp
 {
   mapper.SetTerminationThreshold(settings.TerminationThreshold);
   mapper.SetErrorTarget(settings.ErrorTarget);
+  mapper.SetMemoryBudgetMiB(settings.MemoryBudgetMiB);
+  mapper.SetInteractiveFrameMs(settings.InteractiveFrameMs);
   mapper.SetJitter(settings.Jitter);
   mapper.SetJitterSeed(settings.JitterSeed);
   mapper.SetTableSize(settings.TableSize);

@@ -18,6 +18,8 @@ struct TechniqueSettings
 {
   double TerminationThreshold = 0.001;
   double ErrorTarget = 0.0;
+  double MemoryBudgetMiB = 0.0;
+  double InteractiveFrameMs = 0.0;
   bool Jitter = false;
   int JitterSeed = 0;
   int TableSize = 0;
@@ -62,11 +64,12 @@ struct Variant
 };
 
 /// Reads "ID; name=value; name=value" with the names integrator, step_voxels,
-/// termination_threshold, error_target, skipping (true or false), macrocell_voxels, jitter (true or
-/// false), jitter_seed, table_size, ray_set_up, work_group_shape, opencl_device, opencl_storage,
-/// picture_transfer, voxel_order, slice_extent, slice_threads, slice_target, slice_order and, for
-/// peers, sample_distance_voxels. Of an earlier measurement: frames_ms and frames_gpu_ms (numbers
-/// with spaces between), error_known. Throws std::runtime_error that quotes what it cannot read.
+/// termination_threshold, error_target, memory_budget_mib, interactive_frame_ms, skipping (true or
+/// false), macrocell_voxels, jitter (true or false), jitter_seed, table_size, ray_set_up,
+/// work_group_shape, opencl_device, opencl_storage, picture_transfer, voxel_order, slice_extent,
+/// slice_threads, slice_target, slice_order and, for peers, sample_distance_voxels. Of an earlier
+/// measurement: frames_ms and frames_gpu_ms (numbers with spaces between), error_known. Throws
+/// std::runtime_error that quotes what it cannot read.
 VOLUMEBENCHBENCHMARK_EXPORT Variant ParseVariant(const std::string& text);
 
 /// `settings` with the values of a variant in place. Throws for unknown names and values.

@@ -74,6 +74,7 @@ class ViewStage:
         if not TECHNIQUES[sampling.technique].peer:
             display = self._displays[sampling.technique]
             display.RaySetUp = self._study.ray_set_up
+            display.InteractiveFrameTime = 0  # as good as still ones
             self._set_settings(display, sampling)
             display.Integrator = sampling.integrator
             display.StepVoxels = sampling.step_voxels

@@ -49,6 +49,14 @@ TECHNIQUE_SETTINGS = {
         *("ErrorTarget", _RAYS, (), "a number from 0 to 1"),
         *(float, (0, 1)),
     ),
+    "interactive_frame_ms": TechniqueSetting(
+        *("InteractiveFrameTime", _CASTING + _SLICING, (), "a number of 0 or more"),
+        *(float, (0, 1e9)),
+    ),
+    "memory_budget_mib": TechniqueSetting(
+        *("MemoryBudget", _CASTING + _SLICING, (), "a number of 0 or more"),
+        *(float, (0, 1e9)),
+    ),
     "jitter": TechniqueSetting("Jitter", _CASTING + _SLICING, (0, 1)),
     "jitter_seed": TechniqueSetting(
         *("JitterSeed", _CASTING + _SLICING, (), "a whole number from 0 to 16777215"),

@@ -16,7 +16,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
 
 namespace volumebench
@@ -61,15 +60,6 @@ void RefuseBlendingOfBlocks(vtkVolumeBenchMapper* mapper, std::size_t blocks)
       "the input has " + std::to_string(blocks) + " blocks; samples per pixel can be shown of one");
   }
 }
-
-// NaN stands for a step that a technique does not have.
-void AddKnown(double& sum, double value)
-{
-  if (!std::isnan(value))
-  {
-    sum = std::isnan(sum) ? value : sum + value;
-  }
-}
 }
 
 void VolumePainter::ReleaseGpu()
@@ -82,6 +72,7 @@ void VolumePainter::ReleaseGpu()
   this->Window ? this->Offscreen.Release() : this->Offscreen.Forget();
   this->Window ? this->Depth.Release() : this->Depth.Forget();
   this->Window ? this->Timer.Release() : this->Timer.Forget();
+  this->Window ? this->Frames.Release() : this->Frames.Forget();
   for (const std::unique_ptr<Part>& part : this->Parts)
   {
     if (this->Window)
@@ -151,7 +142,7 @@ void VolumePainter::UseBlocks(const std::vector<Block>& blocks)
 }
 
 std::vector<VolumePainter::PartScene> VolumePainter::ScenesBackToFront(vtkVolumeBenchMapper* mapper,
-  vtkRenderer* renderer, vtkVolume* volume, const glm::ivec4& viewport)
+  vtkRenderer* renderer, vtkVolume* volume, const glm::ivec4& viewport, double stepFactor)
 {
   const std::vector<Block> blocks = BlocksOf(mapper->GetDataObjectInput());
   RefuseBlendingOfBlocks(mapper, blocks.size());
@@ -169,7 +160,7 @@ std::vector<VolumePainter::PartScene> VolumePainter::ScenesBackToFront(vtkVolume
     range = { std::min(range.Low, own.Low), std::max(range.High, own.High) };
   }
   const RenderTarget target{ viewport, ReadGlLimits().Texture,
-    this->Parts.front()->Technique->StepsMayVary() };
+    this->Parts.front()->Technique->StepsMayVary(), stepFactor };
   const Camera camera = BuildCamera(renderer, viewport);
   std::vector<PartScene> scenes;
   for (const std::size_t i : BackToFront(blocks, camera, FromVtk(volume->GetMatrix())))
@@ -220,11 +211,16 @@ void VolumePainter::Draw(vtkVolumeBenchMapper* mapper, vtkRenderer* renderer, vt
   {
     this->Timer.Start();
   }
+  const Coarseness coarse = this->Frames.Begin(mapper, this->Window);
+  const glm::ivec4 viewport = ReadGlViewport(this->Window);
+  const glm::ivec4 drawn =
+    coarse.Reduction > 1 ? ReducedPicture::ViewportOf(viewport, coarse.Reduction) : viewport;
   const std::vector<PartScene> scenes =
-    this->ScenesBackToFront(mapper, renderer, volume, ReadGlViewport(this->Window));
+    this->ScenesBackToFront(mapper, renderer, volume, drawn, coarse.StepFactor);
   // All blocks are ready before the first is drawn, so that a failure leaves no part of a picture.
   this->PrepareAll(scenes);
-  this->RenderAll(scenes, mapper);
+  this->Frames.Draw(this->Window, viewport, drawn, [&] { this->RenderAll(scenes, mapper); });
+  this->Frames.End();
   for (const PartScene& scene : scenes)
   {
     scene.Drawn->LeftOut = FeaturesLeftOut(scene.Scene, scene.Drawn->Technique->GetFeatures());
@@ -311,75 +307,5 @@ ChangeStamp VolumePainter::StampOf(
     }
   }
   return stamp;
-}
-
-FeatureSet VolumePainter::GetFeatures() const
-{
-  FeatureSet features;
-  for (const std::unique_ptr<Part>& part : this->Parts)
-  {
-    features |= part->Technique->GetFeatures();
-  }
-  return features;
-}
-
-std::vector<LeftOutFeature> VolumePainter::GetLeftOut() const
-{
-  const FeatureSet used = this->GetFeatures();
-  std::vector<LeftOutFeature> leftOut;
-  if (this->HasDrawn())
-  {
-    const std::vector<LeftOutFeature>& first = this->Parts.front()->LeftOut;
-    std::copy_if(first.begin(), first.end(), std::back_inserter(leftOut),
-      [&used](const LeftOutFeature& feature) { return !Has(used, feature.Bit); });
-  }
-  return leftOut;
-}
-
-double VolumePainter::GetFrameMs()
-{
-  if (!this->Window)
-  {
-    return std::numeric_limits<double>::quiet_NaN();
-  }
-  this->Window->MakeCurrent();
-  return this->Timer.ElapsedMs();
-}
-
-SetUpCosts VolumePainter::GetSetUpCosts() const
-{
-  SetUpCosts sum;
-  for (const std::unique_ptr<Part>& part : this->Parts)
-  {
-    const SetUpCosts costs = part->Technique->GetSetUpCosts();
-    AddKnown(sum.UploadMs, costs.UploadMs);
-    AddKnown(sum.TablesMs, costs.TablesMs);
-    AddKnown(sum.GridMs, costs.GridMs);
-    AddKnown(sum.CompileMs, costs.CompileMs);
-    sum.BytesOnDevice += costs.BytesOnDevice;
-  }
-  return sum;
-}
-
-std::vector<StageTime> VolumePainter::GetStages() const
-{
-  std::vector<StageTime> sums;
-  for (const std::unique_ptr<Part>& part : this->Parts)
-  {
-    for (const StageTime& stage : part->Technique->GetStages())
-    {
-      const auto same = std::find_if(sums.begin(), sums.end(),
-        [&stage](const StageTime& sum) { return sum.Name == stage.Name; });
-      if (same == sums.end())
-      {
-        sums.push_back(stage);
-      }
-      else
-      {
-        same->Ms += stage.Ms;
-      }
-    }
-  }
-  return sums;
 }
 }

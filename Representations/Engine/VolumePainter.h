@@ -5,6 +5,7 @@
 #include "Gpu/GlTimer.h"
 #include "Gpu/OffscreenPicture.h"
 #include "Gpu/SelectionMask.h"
+#include "Interaction/InteractiveFrames.h"
 #include "Scene/Blocks.h"
 #include "Scene/FeatureWords.h"
 #include "Scene/SceneBuilder.h"
@@ -90,13 +91,14 @@ private:
   void RenderAll(const std::vector<PartScene>& scenes, vtkVolumeBenchMapper* mapper);
   void UseBlocks(const std::vector<Block>& blocks);
   std::vector<PartScene> ScenesBackToFront(vtkVolumeBenchMapper* mapper, vtkRenderer* renderer,
-    vtkVolume* volume, const glm::ivec4& viewport);
+    vtkVolume* volume, const glm::ivec4& viewport, double stepFactor = 1.0);
 
   std::string TechniqueId;                  // of the technique in use
   std::vector<std::unique_ptr<Part>> Parts; // one for each block
   OffscreenPicture Offscreen;
   SelectionMask Selection;
   GlTimer Timer;
+  InteractiveFrames Frames;
   double FullScaleSamples = std::numeric_limits<double>::quiet_NaN();
   OpaqueDepth Depth;                            // that a stamp is of
   vtkWeakPointer<vtkOpenGLRenderWindow> Window; // whose context holds the GPU objects

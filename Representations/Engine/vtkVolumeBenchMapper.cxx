@@ -269,7 +269,6 @@ void vtkVolumeBenchMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MacrocellVoxels: " << this->MacrocellVoxels << "\n";
   os << indent << "TerminationThreshold: " << this->TerminationThreshold << "\n";
   os << indent << "RaySetUp: " << this->RaySetUp << "\n";
-  os << indent << "MemoryBudgetMiB: " << this->MemoryBudgetMiB << "\n";
   os << indent << "WorkGroupShape: " << this->WorkGroupShape << "\n";
   os << indent << "OpenClDevice: " << this->OpenClDevice << "\n";
   os << indent << "OpenClStorage: " << this->OpenClStorage << "\n";

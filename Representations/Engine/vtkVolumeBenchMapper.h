@@ -16,7 +16,7 @@
 #define vtkVolumeBenchMapper_h
 
 #include "VolumeBenchEngineModule.h" // for the export macro
-#include "vtkVolumeMapper.h"
+#include "vtkVolumeBenchLimits.h"
 
 #include <memory> // for Internals
 #include <string> // for messages
@@ -29,11 +29,11 @@ struct SetUpCosts;
 struct StageTime;
 }
 
-class VOLUMEBENCHENGINE_EXPORT vtkVolumeBenchMapper : public vtkVolumeMapper
+class VOLUMEBENCHENGINE_EXPORT vtkVolumeBenchMapper : public vtkVolumeBenchLimits
 {
 public:
   static vtkVolumeBenchMapper* New();
-  vtkTypeMacro(vtkVolumeBenchMapper, vtkVolumeMapper);
+  vtkTypeMacro(vtkVolumeBenchMapper, vtkVolumeBenchLimits);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   enum VectorModes
@@ -138,16 +138,6 @@ public:
    */
   vtkSetClampMacro(RaySetUp, int, 0, 1);
   vtkGetMacro(RaySetUp, int);
-  ///@}
-
-  ///@{
-  /**
-   * Bytes, in MiB, that the volume's voxels may take on the device; 0 (default): most of its
-   * memory. A volume that needs more, or is longer on an axis than the device takes, is drawn in
-   * bricks, with the same samples. Technique reference reads the volume where it is.
-   */
-  vtkSetMacro(MemoryBudgetMiB, double);
-  vtkGetMacro(MemoryBudgetMiB, double);
   ///@}
 
   ///@{
@@ -379,7 +369,6 @@ protected:
   int MacrocellVoxels = 0;
   double TerminationThreshold = 0.001;
   int RaySetUp = 1;
-  double MemoryBudgetMiB = 0.0;
   std::string WorkGroupShape = "Auto";
   std::string OpenClDevice = "Auto";
   int OpenClStorage = 0;

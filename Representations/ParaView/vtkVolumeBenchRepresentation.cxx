@@ -83,6 +83,16 @@ vtkVolumeBenchForwardMacro(ReferenceMethod, int);
 vtkVolumeBenchForwardMacro(Show, int);
 #undef vtkVolumeBenchForwardMacro
 
+void vtkVolumeBenchRepresentation::SetMemoryBudget(double mebibytes)
+{
+  this->GetMapper()->SetMemoryBudgetMiB(mebibytes);
+}
+
+void vtkVolumeBenchRepresentation::SetInteractiveFrameTime(double milliseconds)
+{
+  this->GetMapper()->SetInteractiveFrameMs(milliseconds);
+}
+
 void vtkVolumeBenchRepresentation::UpdateMapperParameters()
 {
   this->Superclass::UpdateMapperParameters();

@@ -57,6 +57,8 @@ public:
   void SetIntegrator(int integrator);
   void SetStepVoxels(double step);
   void SetErrorTarget(double target);
+  void SetMemoryBudget(double mebibytes);
+  void SetInteractiveFrameTime(double milliseconds);
   void SetTerminationThreshold(double threshold);
   void SetSkipping(bool skipping);
   void SetMacrocellVoxels(int edge);

@@ -32,6 +32,8 @@ OURS = {
     "TechniqueBlendMode": "Gradient",
     "TerminationThreshold": 0.01,
     "ErrorTarget": 0.002,
+    "InteractiveFrameTime": 250.0,
+    "MemoryBudget": 512.0,
     "Skipping": 0,
     "MacrocellVoxels": 4,
     "RaySetUp": "Box",

@@ -30,6 +30,8 @@ SETTINGS = {
     "Integrator": "Left",
     "TerminationThreshold": 0.01,
     "ErrorTarget": 0.002,
+    "InteractiveFrameTime": 250.0,
+    "MemoryBudget": 512.0,
     "Skipping": 0,
     "MacrocellVoxels": 4,
     "RaySetUp": "Box",

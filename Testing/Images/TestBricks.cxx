@@ -11,6 +11,7 @@
 #include "vtkPlaneCollection.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkSphereSource.h"
+#include "vtk_glew.h"
 
 using namespace volumebench;
 using namespace volumebench::test;
@@ -124,10 +125,10 @@ vtkSmartPointer<vtkImageData> HillsOfCells()
 
 std::vector<Variation> SamplingVariations()
 {
-  return { WithIntegrator(0, 0.37, false), WithIntegrator(1, 3.0, false),
-    WithIntegrator(1, 1.7, true), WithIntegrator(2, 1.7, false), WithIntegrator(2, 0.8, true),
-    WithIntegrator(3, 0.8, false), WithIntegrator(3, 1.7, true),
-    { "no skipping", [](RenderScene& scene)
+  return { WithIntegrator(0, 0.37, true), WithIntegrator(1, 3.0, false),
+    WithIntegrator(2, 1.7, false), WithIntegrator(2, 0.8, true), WithIntegrator(3, 1.7, true),
+    { "no skipping",
+      [](RenderScene& scene)
       {
         scene.Mapper->SetSkipping(false);
         scene.Mapper->SetRaySetUp(0);
@@ -136,11 +137,12 @@ std::vector<Variation> SamplingVariations()
 
 std::vector<Variation> SceneVariations()
 {
-  return { { "from inside", LookFromInside }, { "along a face", LookAlongAFace },
-    { "lit", Light }, { "hidden", HideByASphere }, { "cut", CutAndCrop },
+  return { { "from inside", LookFromInside }, { "along a face", LookAlongAFace }, { "lit", Light },
+    { "hidden", HideByASphere }, { "cut", CutAndCrop },
     { "NaN", [](RenderScene& scene) { scene.Mapper->SetIntegrator(2); }, HillsWithHoles },
-    { "cells", [](RenderScene& scene)
-      { scene.Volume->GetProperty()->SetInterpolationTypeToNearest(); }, HillsOfCells } };
+    { "cells",
+      [](RenderScene& scene) { scene.Volume->GetProperty()->SetInterpolationTypeToNearest(); },
+      HillsOfCells } };
 }
 
 std::vector<Variation> BlendVariations()
@@ -188,6 +190,7 @@ protected:
     for (const Variation& variation : variations)
     {
       RenderScene scene(GetParam(), variation.Image(), HillsProperty());
+      scene.Mapper->SetWorkGroupShape("8x8"); // which is best would be found by trying
       variation.Arrange(scene);
       scene.Mapper->SetSliceOrder(variations.size() % 2); // both are drawn front to back by bricks
       const FloatPicture whole = scene.Picture();
@@ -217,6 +220,103 @@ TEST_P(Bricks, LookLikeTheWholeInEveryScene)
 TEST_P(Bricks, LookLikeTheWholeInEveryBlendMode)
 {
   this->ExpectTheWhole(BlendVariations());
+}
+
+TEST_P(Bricks, KeepTheErrorTarget)
+{
+  auto image = MakeImage(Dims[0], Dims[1], Dims[2], TwoHills, VTK_FLOAT);
+  RenderScene exact("reference", image, HillsProperty());
+  RenderScene scene(GetParam(), image, HillsProperty());
+  constexpr double Target = 1e-3;
+  scene.Mapper->SetErrorTarget(Target);
+  scene.Mapper->SetMemoryBudgetMiB(TightBudgetMiB);
+  const FloatPicture picture = scene.Picture();
+  ASSERT_EQ(scene.Mapper->GetFailure(), "");
+  ASSERT_TRUE(IsInBricks(scene));
+  EXPECT_LE(CompareImages(picture, exact.Picture()).Rmse, Target);
+}
+
+TEST_P(Bricks, CountEverySampleOnce)
+{
+  RenderScene scene(
+    GetParam(), MakeImage(Dims[0], Dims[1], Dims[2], TwoHills, VTK_FLOAT), HillsProperty());
+  scene.Mapper->SetSkipping(false);
+  scene.Mapper->SetCountSamples(true);
+  const FloatPicture whole = scene.Picture();
+  scene.Mapper->SetMemoryBudgetMiB(TightBudgetMiB);
+  const FloatPicture inBricks = scene.Picture();
+  ASSERT_TRUE(IsInBricks(scene));
+  double most = 0.0;
+  for (std::size_t i = 0; i < whole.Pixels.size(); i += 4) // red: samples taken
+  {
+    most = std::max<double>(most, std::abs(whole.Pixels[i] - inBricks.Pixels[i]));
+  }
+  EXPECT_EQ(most, 0.0);
+}
+
+TEST_P(Bricks, TakeNoMoreThanTheBudgetAndNothingForEmptySpace)
+{
+  // One hill in a corner: of the bricks round it none is sent.
+  auto image = MakeImage(
+    Dims[0], Dims[1], Dims[2],
+    [](double i, double j, double k) { return std::max(0.0, 1.0 - std::hypot(i, j, k) / 8.0); },
+    VTK_FLOAT);
+  RenderScene scene(GetParam(), image, HillsProperty());
+  scene.Picture();
+  const double whole = static_cast<double>(scene.Mapper->GetSetUpCosts().BytesOnDevice);
+  scene.Mapper->SetMemoryBudgetMiB(0.9 * VolumeBytes / Mebibyte);
+  scene.Picture();
+  ASSERT_TRUE(IsInBricks(scene));
+  const double corner = static_cast<double>(scene.Mapper->GetSetUpCosts().BytesOnDevice);
+  EXPECT_LT(corner, whole - 0.4 * VolumeBytes);
+
+  scene.Mapper->SetSkipping(false);
+  scene.Picture();
+  const double all = static_cast<double>(scene.Mapper->GetSetUpCosts().BytesOnDevice);
+  EXPECT_GT(all, corner);
+  EXPECT_LT(all, whole + 0.1 * VolumeBytes);
+}
+
+TEST_P(Bricks, TooLargeForTheBudgetAreRefusedWithTheBytes)
+{
+  RenderScene scene(
+    GetParam(), MakeImage(Dims[0], Dims[1], Dims[2], TwoHills, VTK_FLOAT), HillsProperty());
+  scene.Mapper->GlobalWarningDisplayOff();
+  scene.Mapper->SetMemoryBudgetMiB(1.0 / 1024.0);
+  const FloatPicture nothing = scene.Picture();
+  scene.Mapper->GlobalWarningDisplayOn();
+  EXPECT_EQ(*std::max_element(nothing.Pixels.begin(), nothing.Pixels.end()), 0.0f);
+  const std::string failure = scene.Mapper->GetFailure();
+  EXPECT_NE(failure.find("needs " + std::to_string(static_cast<int>(VolumeBytes)) + " bytes"),
+    std::string::npos)
+    << failure;
+  EXPECT_NE(failure.find("the memory budget is 1024 bytes"), std::string::npos) << failure;
+  scene.Mapper->SetMemoryBudgetMiB(0.0);
+  scene.Picture();
+  EXPECT_EQ(scene.Mapper->GetFailure(), "");
+}
+
+TEST_P(Bricks, DrawAVolumeThatIsLongerThanTexturesMayBe)
+{
+  GLint longest = 0;
+  {
+    RenderScene any(GetParam(), MakeImage(3, 3, 3, TwoHills, VTK_FLOAT), HillsProperty());
+    any.Window->Render();
+    glGetIntegerv(GL_MAX_3D_TEXTURE_SIZE, &longest);
+  }
+  auto image = MakeImage(
+    longest + 100, 9, 9,
+    [](double i, double j, double k)
+    { return 0.5 + 0.4 * std::sin(0.3 * i + 0.5 * j) * std::cos(0.4 * k + 0.01 * i); },
+    VTK_FLOAT);
+  const double thickness = longest / 10.0;
+  image->SetSpacing(1.0, thickness, thickness);
+  RenderScene exact("reference", image, HillsProperty(0.25 / thickness));
+  RenderScene scene(GetParam(), image, HillsProperty(0.25 / thickness));
+  const FloatPicture picture = scene.Picture();
+  ASSERT_EQ(scene.Mapper->GetFailure(), "");
+  EXPECT_EQ(IsInBricks(scene), GetParam() != "opencl" && GetParam() != "cuda");
+  EXPECT_LE(CompareImages(picture, exact.Picture()).Rmse, 2e-3);
 }
 
 VOLUMEBENCH_FOR_EVERY_TECHNIQUE(Bricks);

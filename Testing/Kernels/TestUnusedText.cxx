@@ -58,6 +58,8 @@ const std::vector<FeatureWord>& FeatureWords()
     { "clipToOccupied", { F::TightBox } },
     { "scene.occupiedLow", { F::TightBox } },
     { "scene.oneColor", { F::OneColor } },
+    { "stepsInBrick", { F::Bricks } },
+    { "scene.brickLow", { F::Bricks } },
     { "cellRayOf", { F::Skipping } },
     { "scene.cells", { F::Skipping } },
     { "lengthOfNext", { F::AdaptiveSteps, F::HomogeneousCells } },

@@ -1,5 +1,5 @@
-// The picture of a volume in bricks while it is made: what the rays have gathered so far, in float, as
-// large as the window up to the viewport's upper right corner.
+// The picture of a volume in bricks while it is made: what the rays have gathered so far, in float,
+// as large as the window up to the viewport's upper right corner.
 #ifndef volumebench_BrickPicture_h
 #define volumebench_BrickPicture_h
 
@@ -16,8 +16,7 @@ class BrickPicture
 {
 public:
   /// Binds an empty picture; whoever calls restores the framebuffer.
-  void Begin(
-    vtkOpenGLRenderWindow* window, const glm::ivec4& viewport, const FeatureSet& features);
+  void Begin(vtkOpenGLRenderWindow* window, const glm::ivec4& viewport, const FeatureSet& features);
 
   GlTexture& GetTexture() { return this->Target.GetTexture(); }
   std::size_t GetBytes() const { return this->Target.GetBytes(); }

@@ -130,8 +130,8 @@ Division Divide(const Scene& scene, const VolumeRoom& room, double budget)
     return division;
   }
   throw SceneError("the volume needs " + Number(whole) + " bytes on the device, in bricks still " +
-    Number(BytesOnDevice(volume, division.LargestHeld())) +
-    " at a time; the memory budget is " + Number(budget) + " bytes");
+    Number(BytesOnDevice(volume, division.LargestHeld())) + " at a time; the memory budget is " +
+    Number(budget) + " bytes");
 }
 
 // The box round all that samples of the brick may see, as far as the macrocells tell; false where
@@ -194,10 +194,9 @@ Brick BrickAt(const Scene& scene, const Division& division, const glm::ivec3& in
 // Index of the brick nearest to the eye.
 glm::ivec3 NearestBrick(const Scene& scene, const Division& division)
 {
-  const glm::dmat4 viewToVoxel =
-    glm::inverse(scene.Camera.WorldToView * scene.Volume.VoxelToWorld);
-  const glm::dvec3 eye = scene.Camera.Parallel ? Endless * glm::dvec3(viewToVoxel[2])
-                                               : glm::dvec3(viewToVoxel[3]);
+  const glm::dmat4 viewToVoxel = glm::inverse(scene.Camera.WorldToView * scene.Volume.VoxelToWorld);
+  const glm::dvec3 eye =
+    scene.Camera.Parallel ? Endless * glm::dvec3(viewToVoxel[2]) : glm::dvec3(viewToVoxel[3]);
   glm::ivec3 nearest(0);
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -232,8 +231,8 @@ std::vector<Brick> FrontToBack(const Scene& scene, const Division& division)
       }
     }
   }
-  std::stable_sort(ranked.begin(), ranked.end(),
-    [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::stable_sort(
+    ranked.begin(), ranked.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<Brick> bricks;
   for (const auto& [rank, brick] : ranked)
   {

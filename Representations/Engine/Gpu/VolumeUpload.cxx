@@ -23,8 +23,8 @@ vtkIdType SliceTexels(const glm::ivec3& size)
   return static_cast<vtkIdType>(size.x) * size.y;
 }
 
-// Where the texels of a slab of what the device holds lie in the whole volume: in rows of neighbours,
-// of which whole slices are one.
+// Where the texels of a slab of what the device holds lie in the whole volume: in rows of
+// neighbours, of which whole slices are one.
 struct SlabRows
 {
   vtkIdType First = 0;  // texel of the volume
@@ -245,8 +245,7 @@ void MarkHiddenTexels(const Volume& volume, GridMarker& marker)
       for (vtkIdType i = 0; i < held.Size.x; ++i)
       {
         const vtkIdType texel = row + i + held.First.x;
-        const bool hidden =
-          hiddenPoints && (volume.PointGhosts->GetValue(texel) & HiddenPointBits);
+        const bool hidden = hiddenPoints && (volume.PointGhosts->GetValue(texel) & HiddenPointBits);
         if (hidden || (volume.HasNonFinite && !IsFiniteTexel(volume, texel)))
         {
           marker.MarkCellsAt(i, j, k);

@@ -29,16 +29,16 @@ VOLUMEBENCHENGINE_EXPORT void ConvertSlab(
 constexpr std::uint8_t BlankBetweenTexels = 1;
 constexpr std::uint8_t BlankRoundTexel = 2;
 
-/// Converts all texels that the device holds in slabs of a few megabytes; `send` gets the first slice, the number of
-/// slices and the texels of each.
+/// Converts all texels that the device holds in slabs of a few megabytes; `send` gets the first
+/// slice, the number of slices and the texels of each.
 VOLUMEBENCHENGINE_EXPORT void ConvertInSlabs(const Volume& volume,
   const std::function<void(int, int, const std::vector<unsigned char>&)>& send);
 
-/// The blanking grid of the nx x ny x nz texels that the device holds, with (nx + 1)(ny + 1)(nz + 1)
-/// entries. Bit BlankBetweenTexels of entry (i, j, k)
-/// speaks for the cell between the texels i-1..i, j-1..j, k-1..k: one of them is not finite or
-/// hidden, or, with point data, the cell is. Bit BlankRoundTexel speaks for the cell that has the
-/// texel (i, j, k) in its middle, hidden in cell data.
+/// The blanking grid of the nx x ny x nz texels that the device holds, with (nx + 1)(ny + 1)(nz +
+/// 1) entries. Bit BlankBetweenTexels of entry (i, j, k) speaks for the cell between the texels
+/// i-1..i, j-1..j, k-1..k: one of them is not finite or hidden, or, with point data, the cell is.
+/// Bit BlankRoundTexel speaks for the cell that has the texel (i, j, k) in its middle, hidden in
+/// cell data.
 VOLUMEBENCHENGINE_EXPORT std::vector<std::uint8_t> BlankingGrid(const Volume& volume);
 }
 

@@ -68,8 +68,8 @@ VolumeRoom OpenClScene::RoomFor(const Volume& volume, const OpenClSession& sessi
   constexpr double UsableShare = 0.5; // a CPU's memory is everybody's
   const auto piece = session.Limit<cl_ulong>(CL_DEVICE_MAX_MEM_ALLOC_SIZE);
   VolumeRoom room;
-  room.Bytes = UsableShare *
-    static_cast<double>(session.Limit<cl_ulong>(CL_DEVICE_GLOBAL_MEM_SIZE));
+  room.Bytes =
+    UsableShare * static_cast<double>(session.Limit<cl_ulong>(CL_DEVICE_GLOBAL_MEM_SIZE));
   room.Takes = [&volume, &session, piece, buffers](const glm::ivec3& texels)
   {
     const glm::ivec3 largest = buffers ? glm::ivec3(texels.x, texels.y, texels.z + 2) : texels;
@@ -327,9 +327,8 @@ void OpenClScene::Release()
 {
   this->Volumes.Release();
   this->Current = nullptr;
-  for (OpenClMemory* memory :
-    { &this->Numbers, &this->Prefix, &this->Cells, &this->Classification.Memory,
-      &this->Segments.Memory, &this->GradientOpacity.Memory })
+  for (OpenClMemory* memory : { &this->Numbers, &this->Prefix, &this->Cells,
+         &this->Classification.Memory, &this->Segments.Memory, &this->GradientOpacity.Memory })
   {
     memory->Release();
   }

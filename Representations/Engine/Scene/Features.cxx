@@ -72,8 +72,8 @@ bool HasEmptyMargin(const Scene& s)
 {
   const CellMap* cells = s.Skipping.Cells.get();
   return cells &&
-    (s.Bricks ||
-      cells->OccupiedLow != -s.Volume.BoxHalf || cells->OccupiedHigh != s.Volume.BoxHalf);
+    (s.Bricks || cells->OccupiedLow != -s.Volume.BoxHalf ||
+      cells->OccupiedHigh != s.Volume.BoxHalf);
 }
 
 // Whether some ray may be deep enough to stop early.

@@ -253,7 +253,7 @@ struct Sampling
   Slicing Slices;
   OpenClChoice OpenCl;
   ReferenceMethod Method = ReferenceMethod::CellExact; // of technique reference
-  double MemoryBudgetMiB = 0.0;      // that voxels may take on the device; 0: as it has
+  double MemoryBudgetMiB = 0.0; // that voxels may take on the device; 0: as it has
 };
 
 enum class BlendMode
@@ -340,7 +340,7 @@ struct Scene
 
   /// Front to back, without those that show nothing. Null: the volume is drawn at once.
   std::shared_ptr<const std::vector<volumebench::Brick>> Bricks;
-  std::optional<volumebench::Brick> Brick; // that is drawn now
+  std::optional<volumebench::Brick> Brick;                     // that is drawn now
   double BrickBytes = std::numeric_limits<double>::infinity(); // that bricks may take together
 };
 

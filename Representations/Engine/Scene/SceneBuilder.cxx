@@ -368,6 +368,7 @@ Scene SceneBuilder::Build(vtkVolumeBenchMapper* mapper, vtkRenderer* renderer, v
   Scene scene;
   vtkVolumeProperty* property = volume->GetProperty();
   scene.Sampling = BuildSampling(mapper);
+  scene.Sampling.StepVoxels *= target.StepFactor;
   scene.Compositing.Mode = BlendModeOf(mapper);
   scene.Measurement = { mapper->GetCountSamples(),
     Checked(mapper->GetShow(), vtkVolumeBenchMapper::SamplesPerPixel, "view") ==

@@ -25,6 +25,7 @@ struct RenderTarget
   glm::ivec4 Viewport{ 0 };  // x, y, width, height in pixels
   int LargestTable = 0;      // entries of the longest table that the device takes
   bool StepsMayVary = false; // the technique can take steps of different lengths
+  double StepFactor = 1.0;   // by which steps are longer than the mapper's while the mouse drags
 };
 
 struct ScalarRange

@@ -1,5 +1,5 @@
-// How the parts of rays that are drawn one after the other, slices or bricks, make pixels: the formulas
-// of `accumulate` in Shared/Composite.h as OpenGL's blending.
+// How the parts of rays that are drawn one after the other, slices or bricks, make pixels: the
+// formulas of `accumulate` in Shared/Composite.h as OpenGL's blending.
 #ifndef volumebench_Gathering_h
 #define volumebench_Gathering_h
 

@@ -102,8 +102,7 @@ FeatureSet OpenClRayCast::FeaturesFor(const Scene& scene) const
 std::optional<VolumeRoom> OpenClRayCast::RoomFor(const Scene& scene) const
 {
   const OpenClDevice& device = ChooseOpenClDevice(OpenClDevices(), scene.Sampling.OpenCl.Device);
-  return OpenClScene::RoomFor(
-    scene.Volume, OpenClSession::Of(device), UsesBuffers(scene, device));
+  return OpenClScene::RoomFor(scene.Volume, OpenClSession::Of(device), UsesBuffers(scene, device));
 }
 
 void OpenClRayCast::Compile(const Scene& scene)

@@ -220,8 +220,8 @@ void OpenGlTechnique::BlendPicture(vtkOpenGLRenderWindow* window)
                                        : BlendOver(window);
 }
 
-void OpenGlTechnique::Finish(vtkOpenGLRenderWindow* window, GlTexture& gathered, glm::ivec2 first,
-  const glm::ivec4& rectangle)
+void OpenGlTechnique::Finish(
+  vtkOpenGLRenderWindow* window, GlTexture& gathered, glm::ivec2 first, const glm::ivec4& rectangle)
 {
   const GlProgram& program = this->ProgramOf({ "Viewport.vert", "Finish.frag" });
   TextureUnits units(window);

@@ -85,8 +85,8 @@ protected:
     BoxFaces& faces);
   BoxFaces::Programs BoxFacePrograms();
 
-  /// Blends premultiplied colour over what is there, or what a brick shows with what those before it
-  /// do; depth is not tested.
+  /// Blends premultiplied colour over what is there, or what a brick shows with what those before
+  /// it do; depth is not tested.
   void BlendPicture(vtkOpenGLRenderWindow* window);
   static void BlendOff(vtkOpenGLRenderWindow* window);
 

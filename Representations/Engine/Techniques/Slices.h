@@ -42,8 +42,7 @@ private:
     const glm::ivec4& rectangle);
   void DrawSlabs(const Scene& scene, const SliceView& slices, vtkOpenGLRenderWindow* window,
     const glm::ivec4& rectangle);
-  void DrawPolygons(
-    const Scene& scene, vtkOpenGLRenderWindow* window, const glm::ivec4& rectangle);
+  void DrawPolygons(const Scene& scene, vtkOpenGLRenderWindow* window, const glm::ivec4& rectangle);
   void MergeBatch(const Scene& scene, vtkOpenGLRenderWindow* window);
   void SetBlending(const Scene& scene, vtkOpenGLRenderWindow* window);
 
