@@ -120,6 +120,13 @@ TEST_P(UnusedObjects, OfIntegratorsAreReleased)
   }
 }
 
+TEST_P(UnusedObjects, OfBricksAreReleased)
+{
+  this->ExpectNothingIsLeft(
+    "bricks", [&] { this->Scene.Mapper->SetMemoryBudgetMiB(0.017); },
+    [&] { this->Scene.Mapper->SetMemoryBudgetMiB(0.0); });
+}
+
 TEST_P(UnusedObjects, OfGradientOpacityAreReleased)
 {
   vtkNew<vtkPiecewiseFunction> factor;

@@ -153,6 +153,7 @@ const std::vector<NamedScene>& Scenes()
     { "steps of different lengths", GradeSteps },
     { "homogeneous cells", CrossHomogeneousCells },
     { "one colour", [](Scene& s) { s.TransferFunction.Color = glm::vec3(1.0f); } },
+    { "bricks", [](Scene& s) { s.Bricks = std::make_shared<std::vector<Brick>>(1); } },
     { "samples shown", [](Scene& s) { s.Measurement.ShowSamples = true; } },
   };
   return scenes;
