@@ -96,6 +96,12 @@ void SceneTextures::HeldVolume::Forget()
 void SceneTextures::Update(const Scene& scene, const FeatureSet& features)
 {
   this->UpdateVolume(scene);
+  this->UpdateFunction(scene, features);
+  this->UpdateCells(scene.Skipping, features);
+}
+
+void SceneTextures::UpdateFunction(const Scene& scene, const FeatureSet& features)
+{
   if (scene.TransferFunction.Stamp != this->TableStamp ||
     TablesOf(features) != this->TableFeatures || !this->Table.IsCreated())
   {
@@ -108,7 +114,6 @@ void SceneTextures::Update(const Scene& scene, const FeatureSet& features)
     this->TableStamp = scene.TransferFunction.Stamp;
     this->TableFeatures = TablesOf(features);
   }
-  this->UpdateCells(scene.Skipping, features);
 }
 
 void SceneTextures::UpdateCells(const Skipping& skipping, const FeatureSet& features)
@@ -252,11 +257,16 @@ void SceneTextures::UpdateTables(const TransferFunction& function, const Feature
   }
 }
 
+void SceneTextures::AttachFunction(const GlProgram& program, TextureUnits& units)
+{
+  program.SetUnit("transferFunctionTexture", units.Attach(this->Table));
+}
+
 void SceneTextures::Attach(
   const GlProgram& program, const FeatureSet& features, TextureUnits& units)
 {
   program.SetUnit("volumeTexture", units.Attach(this->Current->Texels));
-  program.SetUnit("transferFunctionTexture", units.Attach(this->Table));
+  this->AttachFunction(program, units);
   if (Has(features, Feature::Segment))
   {
     program.SetUnit("prefixTexture", units.Attach(this->Prefix));

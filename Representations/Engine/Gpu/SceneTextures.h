@@ -25,11 +25,17 @@ public:
   /// GL_MAX_3D_TEXTURE_SIZE on an axis or the device has no memory for it.
   void Update(const Scene& scene, const FeatureSet& features);
 
+  /// Uploads the tables alone, for who has the volume elsewhere.
+  void UpdateFunction(const Scene& scene, const FeatureSet& features);
+
   /// Whether the scene's volume or brick can be uploaded without dropping another.
   bool HasRoomFor(const Scene& scene) const { return this->Volumes.HasRoomFor(scene); }
 
   /// Binds the textures that a program of these features reads; the program is bound.
   void Attach(const GlProgram& program, const FeatureSet& features, TextureUnits& units);
+
+  /// Binds the table that turns a value of the field into its colour.
+  void AttachFunction(const GlProgram& program, TextureUnits& units);
 
   std::size_t GetBytesOnDevice() const
   {

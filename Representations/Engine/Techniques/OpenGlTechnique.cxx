@@ -95,6 +95,8 @@ void OpenGlTechnique::LoadBricks(const Scene& scene)
       this->Load(part);
     }
   }
+  // Also those that read no texture while they draw finish their picture from one.
+  this->Textures.UpdateFunction(scene, this->Features);
   this->ProgramOf({ "Viewport.vert", "Finish.frag" });
 }
 
@@ -225,7 +227,8 @@ void OpenGlTechnique::Finish(
 {
   const GlProgram& program = this->ProgramOf({ "Viewport.vert", "Finish.frag" });
   TextureUnits units(window);
-  this->BindWithScene(program, window, units);
+  program.Bind(window);
+  this->Textures.AttachFunction(program, units);
   program.SetUnit("gatheredTexture", units.Attach(gathered));
   program.SetNumbers("firstPixel", static_cast<float>(first.x), static_cast<float>(first.y));
   BlendOver(window);
