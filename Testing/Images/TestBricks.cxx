@@ -79,6 +79,7 @@ void LookAlongAFace(RenderScene& scene)
   scene.LookAlongZ(16.0);
   scene.Renderer->GetActiveCamera()->SetFocalPoint(23.75, 19.75, 16.0);
   scene.Renderer->GetActiveCamera()->SetPosition(23.75, 19.75, 90.0);
+  scene.Renderer->ResetCameraClippingRange();
 }
 
 void Light(RenderScene& scene)
@@ -115,7 +116,7 @@ void CutAndCrop(RenderScene& scene)
 
 vtkSmartPointer<vtkImageData> HillsOfCells()
 {
-  auto points = MakeImage(Dims[0] - 1, Dims[1] - 1, Dims[2] - 1, TwoHills, VTK_UNSIGNED_CHAR);
+  auto points = MakeImage(Dims[0] - 1, Dims[1] - 1, Dims[2] - 1, TwoHills, VTK_FLOAT);
   auto cells = vtkSmartPointer<vtkImageData>::New();
   cells->SetDimensions(Dims);
   cells->SetSpacing(1.0, 1.3, 0.8);
@@ -201,7 +202,8 @@ protected:
       ASSERT_EQ(scene.Mapper->GetFailure(), "") << variation.Name;
       ASSERT_TRUE(IsInBricks(scene)) << variation.Name;
       EXPECT_LE(Apart(inBricks, whole), variation.Most) << variation.Name;
-      EXPECT_GT(Apart(whole, FloatPicture{ 0, 0, std::vector<float>(whole.Pixels.size()) }), 0.1);
+      EXPECT_GT(Apart(whole, FloatPicture{ 0, 0, std::vector<float>(whole.Pixels.size()) }), 0.02)
+        << variation.Name << " shows nothing";
       EXPECT_EQ(scene.Picture().Pixels, inBricks.Pixels) << variation.Name << ", drawn again";
     }
   }
@@ -276,7 +278,7 @@ TEST_P(Bricks, TakeNoMoreThanTheBudgetAndNothingForEmptySpace)
   scene.Picture();
   const double all = static_cast<double>(scene.Mapper->GetSetUpCosts().BytesOnDevice);
   EXPECT_GT(all, corner);
-  EXPECT_LT(all, whole + 0.1 * VolumeBytes);
+  EXPECT_LT(all - PictureBytes, whole + 0.1 * VolumeBytes);
 }
 
 TEST_P(Bricks, TooLargeForTheBudgetAreRefusedWithTheBytes)

@@ -53,19 +53,26 @@ void ReducedPicture::ReduceDepth(
   {
     glGenFramebuffers(1, &this->DepthFramebuffer);
   }
+  state->vtkglDisable(GL_SCISSOR_TEST);
+  state->vtkglDepthMask(GL_TRUE);
+  // Behind the back of VTK's copy of the state, which is as before at the end.
+  GLint read = 0;
+  GLint drawn = 0;
+  glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &read);
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &drawn);
   unsigned int whole = 0; // read from
   glGenFramebuffers(1, &whole);
-  state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, whole);
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, whole);
   glFramebufferTexture2D(GL_READ_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D,
     this->Depth.GetTexture().GetHandle(), 0);
   glReadBuffer(GL_NONE);
-  state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->DepthFramebuffer);
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->DepthFramebuffer);
   glFramebufferTexture2D(
     GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, this->ReducedDepth.GetHandle(), 0);
   glDrawBuffer(GL_NONE);
-  state->vtkglDisable(GL_SCISSOR_TEST);
-  state->vtkglDepthMask(GL_TRUE);
   glBlitFramebuffer(0, 0, from.x, from.y, 0, 0, to.x, to.y, GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(read));
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(drawn));
   glDeleteFramebuffers(1, &whole);
 }
 
