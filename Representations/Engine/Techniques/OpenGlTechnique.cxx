@@ -63,6 +63,10 @@ void OpenGlTechnique::Prepare(const Scene& scene, vtkOpenGLRenderWindow* window)
   else
   {
     this->Gathered.Release();
+    if (!this->ReadsTextures())
+    {
+      this->Textures.Release(); // the table that pictures in bricks are finished with
+    }
     this->Load(scene);
   }
 }
