@@ -59,6 +59,32 @@ TEST(BrickPlan, LeavesAVolumeThatFitsWhole)
   EXPECT_EQ(scene.Bricks, nullptr);
 }
 
+TEST(BrickPlan, TakesStepsThatAreLongerThanTheVolume)
+{
+  Scene scene = LongScene();
+  scene.Sampling.StepVoxels = 1e30;
+  DivideIntoBricks(scene, RoomOf(1e9));
+  EXPECT_EQ(scene.Bricks, nullptr);
+  // A sample may be anywhere, so that each brick would be the whole.
+  EXPECT_THROW(DivideIntoBricks(scene, RoomOf(1e9, 24)), SceneError);
+}
+
+TEST(BrickPlan, FallsBackToAsFewBricksAsTheBudgetAllows)
+{
+  // With room for four at once, bricks would be smaller than what they hold of their neighbours.
+  Scene scene = LongScene();
+  const double budget = 0.15 * BytesOnDevice(scene.Volume, scene.Volume.Texels);
+  DivideIntoBricks(scene, RoomOf(budget));
+  ASSERT_NE(scene.Bricks, nullptr);
+  double largest = 0.0;
+  for (const Brick& brick : *scene.Bricks)
+  {
+    largest = std::max(largest, BytesOnDevice(scene.Volume, brick.Texels.Size));
+  }
+  EXPECT_LE(largest, budget);
+  EXPECT_GT(largest, 0.8 * budget);
+}
+
 TEST(BrickPlan, KeepsTheLimitsOfTheDevice)
 {
   Scene scene = LongScene();
@@ -205,5 +231,21 @@ TEST(BrickPlan, RefusesWhatDoesNotFitWithTheBytes)
     const std::string text = error.what();
     EXPECT_NE(text.find("needs 124000 bytes"), std::string::npos) << text;
     EXPECT_NE(text.find("the memory budget is 2000 bytes"), std::string::npos) << text;
+  }
+}
+
+TEST(BrickPlan, RefusesADeviceThatTakesNothing)
+{
+  Scene scene = LongScene();
+  try
+  {
+    DivideIntoBricks(scene, { HUGE_VAL, [](const glm::ivec3&) { return false; } });
+    FAIL() << "no brick is small enough";
+  }
+  catch (const SceneError& error)
+  {
+    const std::string text = error.what();
+    EXPECT_NE(text.find("needs 124000 bytes"), std::string::npos) << text;
+    EXPECT_NE(text.find("does not take even bricks of "), std::string::npos) << text;
   }
 }

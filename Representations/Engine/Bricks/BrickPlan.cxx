@@ -28,11 +28,14 @@ double OverhangOf(const Scene& scene)
 }
 
 // Texels of the neighbours that samples of a brick read: interpolation and gradients reach two
-// further. In powers of two, so that another step seldom means another brick.
+// further. In powers of two, so that another step seldom means another brick. Steps may be longer
+// than the volume.
 int MarginOf(const Scene& scene)
 {
+  const glm::ivec3& texels = scene.Volume.Texels;
+  const int longest = std::max({ texels.x, texels.y, texels.z });
   int margin = 4;
-  while (margin < std::ceil(OverhangOf(scene)) + 2.0)
+  while (margin < longest && margin < std::ceil(OverhangOf(scene)) + 2.0)
   {
     margin *= 2;
   }
@@ -114,24 +117,41 @@ bool Fit(Division& division, const Volume& volume, const VolumeRoom& room, doubl
   }
 }
 
-std::string Number(double bytes)
+std::string Bytes(double bytes)
 {
-  return std::to_string(static_cast<unsigned long long>(bytes));
+  return std::to_string(static_cast<unsigned long long>(bytes)) + " bytes";
+}
+
+std::string WhyNoBricks(const Volume& volume, const glm::ivec3& texels, double budget)
+{
+  const double bytes = BytesOnDevice(volume, texels);
+  const std::string needed =
+    "the volume needs " + Bytes(BytesOnDevice(volume, volume.Texels)) + " on the device";
+  if (bytes > budget)
+  {
+    return needed + ", in bricks still " + Bytes(bytes) + " at a time; the memory budget is " +
+      Bytes(budget);
+  }
+  return needed + ", which does not take even bricks of " + std::to_string(texels.x) + " x " +
+    std::to_string(texels.y) + " x " + std::to_string(texels.z) + " voxels (" + Bytes(bytes) + ")";
 }
 
 Division Divide(const Scene& scene, const VolumeRoom& room, double budget)
 {
   const Volume& volume = scene.Volume;
-  Division division{ volume.Texels, glm::ivec3(1), MarginOf(scene) };
-  const double whole = BytesOnDevice(volume, volume.Texels);
-  const double share = whole <= budget ? budget : budget / BricksAtOnce;
-  if (Fit(division, volume, room, share) || Fit(division, volume, room, budget))
+  const Division undivided{ volume.Texels, glm::ivec3(1), MarginOf(scene) };
+  Division division = undivided;
+  const bool fits = BytesOnDevice(volume, volume.Texels) <= budget;
+  if (Fit(division, volume, room, fits ? budget : budget / BricksAtOnce))
   {
     return division;
   }
-  throw SceneError("the volume needs " + Number(whole) + " bytes on the device, in bricks still " +
-    Number(BytesOnDevice(volume, division.LargestHeld())) + " at a time; the memory budget is " +
-    Number(budget) + " bytes");
+  division = undivided;
+  if (Fit(division, volume, room, budget))
+  {
+    return division;
+  }
+  throw SceneError(WhyNoBricks(volume, division.LargestHeld(), budget));
 }
 
 // The box round all that samples of the brick may see, as far as the macrocells tell; false where
