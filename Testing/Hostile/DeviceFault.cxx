@@ -74,11 +74,24 @@ extern "C"
 
 namespace
 {
-// Later ones are called through pointers, which can be exchanged.
-void GLAPIENTRY FailTexImage3D(
-  GLenum, GLint, GLint, GLsizei, GLsizei, GLsizei, GLint, GLenum, GLenum, const void*)
+// Later ones are called through pointers, which can be exchanged. A proxy is a question, and is
+// answered.
+PFNGLTEXIMAGE3DPROC texImage3D;
+void GLAPIENTRY FailTexImage3D(GLenum target, GLint level, GLint format, GLsizei width,
+  GLsizei height, GLsizei depth, GLint border, GLenum external, GLenum type, const void* data)
 {
+  if (target == GL_PROXY_TEXTURE_3D)
+  {
+    texImage3D(target, level, format, width, height, depth, border, external, type, data);
+    return;
+  }
   pending = GL_OUT_OF_MEMORY;
+}
+
+void GLAPIENTRY SayTooLarge(GLenum target, GLint level, GLint format, GLsizei, GLsizei, GLsizei,
+  GLint border, GLenum external, GLenum type, const void* data)
+{
+  texImage3D(target, level, format, 0, 0, 0, border, external, type, data);
 }
 
 void GLAPIENTRY FailTexSubImage3D(
@@ -208,7 +221,7 @@ DeviceFaultPointer OutOfMemoryIn(const std::string& function)
 {
   if (function == "glTexImage3D")
   {
-    return MakePointer(glTexImage3D, PFNGLTEXIMAGE3DPROC(&FailTexImage3D));
+    return MakePointer(glTexImage3D, PFNGLTEXIMAGE3DPROC(&FailTexImage3D), &texImage3D);
   }
   if (function == "glTexSubImage3D")
   {
@@ -222,6 +235,11 @@ DeviceFaultPointer OutOfMemoryIn(const std::string& function)
     : function == "glTexImage2D"          ? pictureFails
                                           : copyFails;
   return std::make_shared<Flag>(flag);
+}
+
+DeviceFaultPointer AllVolumesAreTooLarge()
+{
+  return MakePointer(glTexImage3D, PFNGLTEXIMAGE3DPROC(&SayTooLarge), &texImage3D);
 }
 
 DeviceFaultPointer NoShaderCompiles()

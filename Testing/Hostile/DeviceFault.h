@@ -24,6 +24,9 @@ using DeviceFaultPointer = std::shared_ptr<DeviceFault>;
 /// glTexImage2D, glTexImage3D, glTexSubImage3D, glCopyTexImage2D or glBufferData.
 DeviceFaultPointer OutOfMemoryIn(const std::string& function);
 
+/// A driver that takes no texture of three dimensions, and says so when it is asked.
+DeviceFaultPointer AllVolumesAreTooLarge();
+
 ///@{
 /// Drivers that find an error in each shader, link no program, or draw into no framebuffer.
 DeviceFaultPointer NoShaderCompiles();

@@ -64,6 +64,9 @@ Enemies OfOpenGl()
   return {
     { "no_room_for_the_volume", Sending(OutOfMemoryIn("glTexImage3D")), Refused("no room for"),
       WithTextures, Drawn() },
+    { "no_room_for_any_brick", Sending(AllVolumesAreTooLarge()),
+      Refused("the volume needs 256000 bytes on the device, which does not take even bricks of "),
+      WithTextures, Drawn() },
     { "no_room_for_a_slab", Sending(OutOfMemoryIn("glTexSubImage3D")), Refused("no room for"),
       WithTextures, Drawn() },
     { "no_room_for_cells", Editing(OutOfMemoryIn("glTexImage3D")), Refused("no room for"),
@@ -90,6 +93,28 @@ Enemies OfOpenGl()
     { "no_texture_unit_is_free", FromTheBeginning(NoTextureUnitIsFree()),
       Refused("all texture units") },
     { "error_of_somebody_else", Sending(ErrorOfSomebodyElse()), Drawn() },
+  };
+}
+
+Enemies OfSizes()
+{
+  return {
+    { "volume_of_four_times_the_budget",
+      [](HostileSession& session)
+      {
+        session.Show(MakeImage(40, 40, 40, Bumpy));
+        session.Mapper->SetMemoryBudgetMiB(0.06);
+      },
+      Drawn() },
+    { "volume_longer_than_textures_may_be",
+      [](HostileSession& session)
+      {
+        auto image = MakeImage(3000, 3, 3, Bumpy, VTK_FLOAT);
+        image->SetSpacing(0.003, 4.0, 4.0);
+        session.Show(image);
+        session.Mapper->SetStepVoxels(4.0);
+      },
+      Drawn() },
   };
 }
 
@@ -131,9 +156,9 @@ Enemies OfOpenCl()
 Enemies EnemiesOfMachines()
 {
   Enemies all = OfOpenGl();
-  for (const Enemy& enemy : OfOpenCl())
+  for (const Enemies& group : { OfSizes(), OfOpenCl() })
   {
-    all.push_back(enemy);
+    all.insert(all.end(), group.begin(), group.end());
   }
   if (CanRefuseMemory())
   {

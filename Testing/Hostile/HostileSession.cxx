@@ -148,6 +148,8 @@ void HostileSession::ArrangeMapper()
   mapper->SetReferenceMethod(fresh->GetReferenceMethod());
   mapper->SetLightingDamping(fresh->GetLightingDamping());
   mapper->SetCountSamples(fresh->GetCountSamples());
+  mapper->SetMemoryBudgetMiB(fresh->GetMemoryBudgetMiB());
+  mapper->SetInteractiveFrameMs(fresh->GetInteractiveFrameMs());
   mapper->SetShow(fresh->GetShow());
   mapper->SetBlendMode(fresh->GetBlendMode());
   mapper->SetScalarMode(fresh->GetScalarMode());

@@ -11,6 +11,10 @@ using Mapper = vtkVolumeBenchMapper;
 constexpr double NotANumber = std::numeric_limits<double>::quiet_NaN();
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
+// Reference reads the volume where it is.
+const std::vector<std::string> WithDeviceVolume = { "single-pass", "multi-pass", "compute",
+  "slices", "slices-threaded", "opencl", "cuda" };
+
 Enemies OfNumbers()
 {
   return {
@@ -45,6 +49,16 @@ Enemies OfNumbers()
       Refused("the lighting damping is -1") },
     { "damping_nan", Set(&Mapper::SetLightingDamping, NotANumber),
       Refused("the lighting damping is nan") },
+    { "budget_negative", Set(&Mapper::SetMemoryBudgetMiB, -1.0),
+      Refused("the memory budget is -1") },
+    { "budget_nan", Set(&Mapper::SetMemoryBudgetMiB, NotANumber),
+      Refused("the memory budget is nan") },
+    { "budget_of_a_byte", Set(&Mapper::SetMemoryBudgetMiB, 1e-6),
+      Refused("at a time; the memory budget is 1 bytes"), WithDeviceVolume, Same() },
+    { "frame_time_negative", Set(&Mapper::SetInteractiveFrameMs, -1.0),
+      Refused("the interactive frame time is -1") },
+    { "frame_time_nan", Set(&Mapper::SetInteractiveFrameMs, NotANumber),
+      Refused("the interactive frame time is nan") },
     { "threads_negative", Set(&Mapper::SetSliceThreads, -1), Refused("-1 threads") },
     { "threads_many", Set(&Mapper::SetSliceThreads, 100000), Refused("100000 threads") },
   };
