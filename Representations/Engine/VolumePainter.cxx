@@ -202,6 +202,21 @@ void VolumePainter::RenderAll(const std::vector<PartScene>& scenes, vtkVolumeBen
   }
 }
 
+std::vector<VolumePainter::PartScene> VolumePainter::ArrangeFrame(vtkVolumeBenchMapper* mapper,
+  vtkRenderer* renderer, vtkVolume* volume, const glm::ivec4& viewport, glm::ivec4& drawn)
+{
+  const auto arrange = [&](const Coarseness& coarse)
+  {
+    drawn =
+      coarse.Reduction > 1 ? ReducedPicture::ViewportOf(viewport, coarse.Reduction) : viewport;
+    return this->ScenesBackToFront(mapper, renderer, volume, drawn, coarse.StepFactor);
+  };
+  std::vector<PartScene> scenes = arrange(this->Frames.Begin(mapper, this->Window));
+  return this->Frames.IsPreview(mapper, this->Window, this->StampOf(scenes))
+    ? arrange(this->Frames.BeginPreview(mapper, this->Window))
+    : scenes;
+}
+
 void VolumePainter::Draw(vtkVolumeBenchMapper* mapper, vtkRenderer* renderer, vtkVolume* volume)
 {
   this->UseTechnique(mapper->GetTechnique());
@@ -211,12 +226,10 @@ void VolumePainter::Draw(vtkVolumeBenchMapper* mapper, vtkRenderer* renderer, vt
   {
     this->Timer.Start();
   }
-  const Coarseness coarse = this->Frames.Begin(mapper, this->Window);
   const glm::ivec4 viewport = ReadGlViewport(this->Window);
-  const glm::ivec4 drawn =
-    coarse.Reduction > 1 ? ReducedPicture::ViewportOf(viewport, coarse.Reduction) : viewport;
+  glm::ivec4 drawn;
   const std::vector<PartScene> scenes =
-    this->ScenesBackToFront(mapper, renderer, volume, drawn, coarse.StepFactor);
+    this->ArrangeFrame(mapper, renderer, volume, viewport, drawn);
   // All blocks are ready before the first is drawn, so that a failure leaves no part of a picture.
   this->PrepareAll(scenes);
   this->Frames.Draw(this->Window, viewport, drawn, [&] { this->RenderAll(scenes, mapper); });
@@ -228,7 +241,7 @@ void VolumePainter::Draw(vtkVolumeBenchMapper* mapper, vtkRenderer* renderer, vt
   this->FullScaleSamples = mapper->GetShow() == vtkVolumeBenchMapper::Picture
     ? std::numeric_limits<double>::quiet_NaN()
     : volumebench::FullScaleSamples(scenes.front().Scene);
-  if (timed)
+  if (timed && !this->Frames.IsCoarse())
   {
     this->Timer.Stop();
   }
@@ -284,6 +297,16 @@ FloatPicture VolumePainter::ReadOffscreen()
   return this->Offscreen.Read();
 }
 
+ChangeStamp VolumePainter::StampOf(const std::vector<PartScene>& scenes) const
+{
+  ChangeStamp stamp = std::hash<std::string>{}(this->TechniqueId);
+  for (const PartScene& scene : scenes)
+  {
+    ExtendStamp(stamp, PictureStampOf(scene.Scene));
+  }
+  return stamp;
+}
+
 ChangeStamp VolumePainter::StampOf(
   vtkVolumeBenchMapper* mapper, vtkRenderer* renderer, vtkVolume* volume)
 {
@@ -291,14 +314,10 @@ ChangeStamp VolumePainter::StampOf(
   this->UseWindow(renderer);
   const GlContextGuard guard(this->Window);
   const glm::ivec4 viewport = ReadGlViewport(this->Window);
-  ChangeStamp stamp = std::hash<std::string>{}(this->TechniqueId);
-  bool hidden = false;
-  for (const PartScene& scene : this->ScenesBackToFront(mapper, renderer, volume, viewport))
-  {
-    ExtendStamp(stamp, PictureStampOf(scene.Scene));
-    hidden = hidden || scene.Scene.Clip.OpaqueGeometry;
-  }
-  if (hidden)
+  const std::vector<PartScene> scenes = this->ScenesBackToFront(mapper, renderer, volume, viewport);
+  ChangeStamp stamp = this->StampOf(scenes);
+  if (std::any_of(scenes.begin(), scenes.end(),
+        [](const PartScene& scene) { return scene.Scene.Clip.OpaqueGeometry; }))
   {
     this->Depth.Capture(this->Window, viewport);
     for (const float depth : this->Depth.Read(viewport))

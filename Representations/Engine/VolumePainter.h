@@ -48,6 +48,9 @@ public:
   /// Of all that the picture depends on.
   ChangeStamp StampOf(vtkVolumeBenchMapper* mapper, vtkRenderer* renderer, vtkVolume* volume);
 
+  /// Whether the last picture was a coarse one before a still one, which will be asked for.
+  bool IsPreview() const { return this->Frames.IsCoarse(); }
+
   /// GPU objects go with the context that made them: deleted while it lives, dropped when it is
   /// gone.
   void ReleaseGpu();
@@ -92,6 +95,9 @@ private:
   void UseBlocks(const std::vector<Block>& blocks);
   std::vector<PartScene> ScenesBackToFront(vtkVolumeBenchMapper* mapper, vtkRenderer* renderer,
     vtkVolume* volume, const glm::ivec4& viewport, double stepFactor = 1.0);
+  std::vector<PartScene> ArrangeFrame(vtkVolumeBenchMapper* mapper, vtkRenderer* renderer,
+    vtkVolume* volume, const glm::ivec4& viewport, glm::ivec4& drawn);
+  ChangeStamp StampOf(const std::vector<PartScene>& scenes) const;
 
   std::string TechniqueId;                  // of the technique in use
   std::vector<std::unique_ptr<Part>> Parts; // one for each block

@@ -38,12 +38,24 @@ public:
   vtkGetMacro(InteractiveFrameMs, double);
   ///@}
 
+  ///@{
+  /**
+   * Milliseconds of a still picture beyond which the next different one is preceded by a frame as
+   * while the mouse drags, and follows it when nothing else happens; in windows of Qt, as
+   * ParaView's is, and with an InteractiveFrameMs. Pictures that are captured or drawn by scripts
+   * are complete at once. Default 1000.
+   */
+  vtkSetMacro(PreviewedStillMs, double);
+  vtkGetMacro(PreviewedStillMs, double);
+  ///@}
+
 protected:
   vtkVolumeBenchLimits() = default;
   ~vtkVolumeBenchLimits() override = default;
 
   double MemoryBudgetMiB = 0.0;
   double InteractiveFrameMs = 0.0;
+  double PreviewedStillMs = 1000.0;
 
 private:
   vtkVolumeBenchLimits(const vtkVolumeBenchLimits&) = delete;

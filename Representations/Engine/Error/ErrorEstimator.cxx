@@ -79,8 +79,8 @@ void ErrorEstimator::Fail(const std::string& reason)
 void ErrorEstimator::FollowFrame(vtkVolumeBenchMapper* mapper, vtkRenderer* renderer,
   vtkVolume* volume, VolumePainter& painter, const std::string& failure)
 {
-  const bool due =
-    this->Progress == State::Waiting && !WantsInteractiveFrames(renderer->GetRenderWindow());
+  const bool still = !WantsInteractiveFrames(renderer->GetRenderWindow()) && !painter.IsPreview();
+  const bool due = this->Progress == State::Waiting && still;
   if (!due && this->Progress != State::Known)
   {
     return;

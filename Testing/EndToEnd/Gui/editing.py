@@ -5,6 +5,7 @@ from paraview import simple
 from PyQt5.QtCore import QPoint, Qt
 from PyQt5.QtTest import QTest
 from PyQt5.QtWidgets import QAction, QSlider, QWidget
+from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
 from window import (
     apply,
     tick,
@@ -12,7 +13,9 @@ from window import (
     display_panel,
     dock,
     main_window,
+    picture_of,
     press,
+    report,
     represent,
     row,
     rows,
@@ -184,3 +187,51 @@ def check_animation_of_a_row_and_playing() -> None:
     steps = [step for step, _ in seen]
     assert steps == sorted(steps) and steps[0] == 0.25 and steps[-1] == 4.0, steps
     assert difference(seen[0][1], seen[-1][1]) > 1e-3
+
+
+def last_frame_ms(display: object) -> float:
+    display.SMProxy.UpdatePropertyInformation()
+    return display.GetProperty("LastFrameMs").SMProperty.GetElement(0)
+
+
+def as_displayed() -> np.ndarray:
+    """Return what the active view shows, without drawing it anew."""
+    grabber = vtkWindowToImageFilter()
+    grabber.SetInput(simple.GetActiveView().GetRenderWindow())
+    grabber.ReadFrontBufferOff()
+    grabber.ShouldRerenderOff()
+    grabber.Update()
+    return picture_of(grabber.GetOutput())
+
+
+def make_slow(display: object) -> bool:
+    """Shorten the step until a picture takes longer than a second; false where none does."""
+    for step in (0.5, 0.125, 0.03, 0.008, 0.002):
+        display.StepVoxels = step
+        simple.Render()
+        settle(500)
+        if last_frame_ms(display) > 1200.0:
+            return True
+    return False
+
+
+def check_coarse_picture_before_one_that_takes_long() -> None:
+    display = shown_wavelet()
+    display.InteractiveFrameTime = 1.0  # as coarse as can be
+    if not make_slow(display):
+        report("left out: no picture of this machine takes a second")
+        return
+    view = simple.GetActiveView()
+    drawn = []
+    view.GetRenderWindow().AddObserver("EndEvent", lambda *_: drawn.append(1))
+    simple.GetActiveCamera().Azimuth(30.0)
+    simple.Render()
+    assert len(drawn) == 1, drawn
+    coarse = as_displayed()
+    captured = picture_of(view.SMProxy.CaptureWindow(1))
+    drawn.clear()
+    wait_until(lambda: drawn, "the complete picture")
+    settle(1000)
+    assert len(drawn) == 1, f"{len(drawn)} pictures instead of the complete one"
+    assert difference(coarse, as_displayed()) > 1e-3, "the first picture is not coarse"
+    assert difference(captured, as_displayed()) == 0, "a screenshot is coarse"
