@@ -57,6 +57,25 @@ TEST_P(InteractivePictures, AreCoarseOnlyWhileTheMouseDragsAndTimeIsShort)
   EXPECT_EQ(Frame(scene, StillRate).Pixels, still.Pixels) << "full quality within one frame";
 }
 
+TEST_P(InteractivePictures, KeepTheIntegratorThatTheStillPictureIsGiven)
+{
+  constexpr int Automatic = 4;
+  RenderScene scene(GetParam(), HillsImage(), HillsProperty());
+  scene.Mapper->SetWorkGroupShape("8x8");
+  scene.Mapper->SetIntegrator(Automatic);
+  const auto hasSegment = [&]
+  { return scene.Mapper->GetFeatures().find("segment") != std::string::npos; };
+  scene.Mapper->SetStepVoxels(2.0);
+  Frame(scene, StillRate);
+  ASSERT_TRUE(hasSegment()) << "for steps as long as those of dragged frames";
+  scene.Mapper->SetStepVoxels(0.1);
+  scene.Mapper->SetInteractiveFrameMs(InNoTimeMs);
+  Frame(scene, StillRate);
+  ASSERT_FALSE(hasSegment());
+  Frame(scene, DraggingRate);
+  EXPECT_FALSE(hasSegment());
+}
+
 TEST_P(InteractivePictures, AreHiddenByOpaqueGeometry)
 {
   RenderScene scene(GetParam(), HillsImage(), HillsProperty(2.0));

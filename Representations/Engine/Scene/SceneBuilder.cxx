@@ -368,7 +368,6 @@ Scene SceneBuilder::Build(vtkVolumeBenchMapper* mapper, vtkRenderer* renderer, v
   Scene scene;
   vtkVolumeProperty* property = volume->GetProperty();
   scene.Sampling = BuildSampling(mapper);
-  scene.Sampling.StepVoxels *= target.StepFactor;
   scene.Compositing.Mode = BlendModeOf(mapper);
   scene.Measurement = { mapper->GetCountSamples(),
     Checked(mapper->GetShow(), vtkVolumeBenchMapper::SamplesPerPixel, "view") ==
@@ -385,6 +384,7 @@ Scene SceneBuilder::Build(vtkVolumeBenchMapper* mapper, vtkRenderer* renderer, v
   scene.Sampling.StepsMayVary = target.StepsMayVary;
   this->BuildTable(property, scene, target.LargestTable);
   this->Choice.Choose(this->Cells, scene);
+  scene.Sampling.StepVoxels *= target.StepFactor; // with the still picture's integrator
   this->AddIntegrals(scene);
   CheckScene(scene);
   this->BuildSkipping(scene);
