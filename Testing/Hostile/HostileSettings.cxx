@@ -70,7 +70,7 @@ Enemies OfChoices()
     { "no_such_technique", Set(&Mapper::SetTechnique, "voxel-magic"),
       Refused("no technique 'voxel-magic'; known are single-pass") },
     { "technique_without_name", Set(&Mapper::SetTechnique, ""), Refused("no technique ''") },
-    { "no_such_integrator", Set(&Mapper::SetIntegrator, 4), Refused("no integrator 4") },
+    { "no_such_integrator", Set(&Mapper::SetIntegrator, 5), Refused("no integrator 5") },
     { "integrator_negative", Set(&Mapper::SetIntegrator, -1), Refused("no integrator -1") },
     { "no_such_blend_mode", Set(&Mapper::SetBlendMode, 99), Refused("the blend mode 99") },
     { "isosurfaces", Set(&Mapper::SetBlendMode, 5), Refused("the blend mode 5") },
