@@ -224,7 +224,7 @@ TEST(ExperimentSettings, NameWhatIsWrong)
     messageOf([](ExperimentSettings& s) { s.ErrorWidth = 5; }).find("5 x 0"), std::string::npos);
   EXPECT_NE(messageOf([](ExperimentSettings& s) { s.Own.SliceThreads = 3; }).find("threads 3"),
     std::string::npos);
-  EXPECT_NE(messageOf([](ExperimentSettings& s) { s.Integrators = { 4 }; }).find("integrator 4"),
+  EXPECT_NE(messageOf([](ExperimentSettings& s) { s.Integrators = { 5 }; }).find("integrator 5"),
     std::string::npos);
   EXPECT_NE(messageOf(
               [](ExperimentSettings& s) {

@@ -222,8 +222,8 @@ TEST_P(Surroundings, WhatCannotBeDrawnIsNamedAndTheNextGoodSettingDraws)
   scene.Mapper->SetBlendMode(vtkVolumeMapper::ADDITIVE_BLEND);
   EXPECT_NE(failure().find("the blend mode 4 cannot be drawn"), std::string::npos);
   scene.Mapper->SetBlendMode(vtkVolumeMapper::COMPOSITE_BLEND);
-  scene.Mapper->SetIntegrator(4);
-  EXPECT_NE(failure().find("there is no integrator 4"), std::string::npos);
+  scene.Mapper->SetIntegrator(5);
+  EXPECT_NE(failure().find("there is no integrator 5"), std::string::npos);
   scene.Mapper->SetIntegrator(1);
   scene.Mapper->SetWorkGroupShape("3x3");
   EXPECT_NE(failure().find("work-group shape '3x3'"), std::string::npos);
