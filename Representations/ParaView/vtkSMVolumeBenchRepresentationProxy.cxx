@@ -1,5 +1,6 @@
 #include "vtkSMVolumeBenchRepresentationProxy.h"
 
+#include "ServerConnection.h"
 #include "Techniques/TechniqueTable.h"
 
 #include "vtkCommand.h"
@@ -7,10 +8,12 @@
 #include "vtkObjectFactory.h"
 #include "vtkPVRenderView.h"
 #include "vtkPVSession.h"
+#include "vtkRenderer.h"
 #include "vtkSMArrayListDomain.h"
 #include "vtkSMPVRepresentationProxy.h"
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
+#include "vtkSMSession.h"
 #include "vtkSMSessionProxyManager.h"
 
 #include <algorithm>
@@ -25,6 +28,8 @@ constexpr const char* PictureRows[] = { "UsedText", "LeftOutText", "LastFrameMs"
 
 constexpr const char* ErrorRows[] = { "ErrorText", "ErrorRmse", "LargestError", "ReferenceSeconds",
   "FrameMs" };
+
+constexpr float BeforeParaView = 1.0f; // ParaView's observers have priority 0
 
 bool IsOurs(const std::string& type)
 {
@@ -114,11 +119,32 @@ void vtkSMVolumeBenchRepresentationProxy::Follow(vtkSMProxy* view)
   {
     this->Followed->RemoveObserver(this->Observer);
   }
+  if (this->FollowedRenderer)
+  {
+    this->FollowedRenderer->RemoveObserver(this->RendererObserver);
+  }
   this->Followed = view;
+  auto* drawn = view ? vtkPVRenderView::SafeDownCast(view->GetClientSideObject()) : nullptr;
+  this->FollowedRenderer = drawn ? drawn->GetRenderer() : nullptr;
   if (view)
   {
     this->Observer = view->AddObserver(
       vtkCommand::EndEvent, this, &vtkSMVolumeBenchRepresentationProxy::OnRendered);
+  }
+  if (this->FollowedRenderer)
+  {
+    this->RendererObserver = this->FollowedRenderer->AddObserver(vtkCommand::EndEvent, this,
+      &vtkSMVolumeBenchRepresentationProxy::OnClientDrew, BeforeParaView);
+  }
+}
+
+void vtkSMVolumeBenchRepresentationProxy::OnClientDrew()
+{
+  auto* view =
+    this->Followed ? vtkPVRenderView::SafeDownCast(this->Followed->GetClientSideObject()) : nullptr;
+  if (view)
+  {
+    volumebench::ExpectPicture(this->GetSession(), view);
   }
 }
 
@@ -126,6 +152,14 @@ void vtkSMVolumeBenchRepresentationProxy::OnRendered(vtkObject*, unsigned long, 
 {
   if (!interactive || *static_cast<int*>(interactive))
   {
+    return;
+  }
+  if (!volumebench::IsConnected(this->GetSession()))
+  {
+    vtkErrorMacro(
+      "The server ended, or the connection to it was lost, before its picture was here. "
+      "Nothing of this session can be drawn again: disconnect (File > Disconnect, in "
+      "Python Disconnect()), and connect to a new server.");
     return;
   }
   for (const char* name : ErrorRows)

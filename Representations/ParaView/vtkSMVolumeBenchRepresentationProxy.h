@@ -4,7 +4,8 @@
  *
  * After each still picture of its view it fetches what the representation knows of the picture:
  * ParaView itself reads such properties once, when it makes the panel. What the picture used, left
- * out and took is known where it was drawn, so that is asked of the server when the server drew.
+ * out and took is known where it was drawn, so that is asked of the server when the server drew, and
+ * not when the server died meanwhile.
  *
  * It also gives our types in the Representation list what ParaView gives its own "Volume" by name:
  * an array to colour by when none is chosen, and Shade among the rows that are not advanced.
@@ -14,7 +15,9 @@
 
 #include "VolumeBenchRepresentationsModule.h" // for the export macro
 #include "vtkSMRepresentationProxy.h"
-#include "vtkWeakPointer.h" // for the view
+#include "vtkWeakPointer.h" // for the view and its renderer
+
+class vtkRenderer;
 
 class VOLUMEBENCHREPRESENTATIONS_EXPORT vtkSMVolumeBenchRepresentationProxy
   : public vtkSMRepresentationProxy
@@ -40,10 +43,13 @@ private:
   void OnTypeChosen();
   void Follow(vtkSMProxy* view);
   bool IsDrawnByServer();
+  void OnClientDrew();
   void OnRendered(vtkObject* view, unsigned long event, void* interactive);
 
   vtkWeakPointer<vtkSMProxy> Followed; // the view that is observed
   unsigned long Observer = 0;
+  vtkWeakPointer<vtkRenderer> FollowedRenderer; // the client's own
+  unsigned long RendererObserver = 0;
 };
 
 #endif
