@@ -10,7 +10,7 @@ from .kept_pictures import Pictures
 from .progress import Progress
 from .results import FrameLog, Record, record_of
 from .study import Run
-from .techniques import ENGINE
+from .techniques import ENGINE, REMOTE, VIEW
 from .watch import Watch
 
 
@@ -33,7 +33,7 @@ class GroupWatch(Watch):
     def __init__(
         self, keeper: Keeper, runs: list[Run], volume: Any, progress: Progress
     ) -> None:
-        group = "engine" if runs[0].path == ENGINE else "view"
+        group = runs[0].path if runs[0].path in (ENGINE, REMOTE) else VIEW
         self._keeper = keeper
         self._left = list(runs)
         self._asked = len(runs)

@@ -109,10 +109,12 @@ known.</p>
 <p><b>Msamples</b> are the samples that one frame takes of the volume, in millions, counted at the
 first error view; over the time of a frame they give the rate. Stages and samples are taken in
 frames of their own, since counting and timing slow a frame down.</p>
-<p>The three paths answer three questions. <b>engine</b>: how fast is the rendering alone?
+<p>Each path answers a question of its own. <b>engine</b>: how fast is the rendering alone?
 <b>view</b>: how long does ParaView take to show a finished picture, its own overhead included?
 <b>interactive</b>: the same while the mouse drags, when ParaView's own volume rendering lowers its
-quality to stay fluid; compare the errors as well as the speeds there. In a view the techniques
+quality to stay fluid; compare the errors as well as the speeds there.
+<b>remote</b>: how long until a finished picture that a server draws is on the client's screen?
+In a view the techniques
 take turns in random order, so that a busy machine slows all of them alike.</p>
 """
 

@@ -30,7 +30,7 @@ from .results import (
 from .start import FILE as START_FILE
 from .start import StartRow, read_start, write_start
 from .study import Run, Scene, Study
-from .techniques import ENGINE
+from .techniques import ENGINE, REMOTE
 from .transfer_functions import (
     TRANSFER_FUNCTION_FOLDER,
     TransferFunction,
@@ -56,6 +56,9 @@ class Session(Protocol):
         ...
 
     def run_view(self, volume: Any, function: Any, runs: Any, watch: Any) -> Any:
+        ...
+
+    def run_remote(self, volume: Any, function: Any, runs: Any, watch: Any) -> Any:
         ...
 
     def run_start(self, volume: Any, function: Any, report: Any) -> Any:
@@ -242,8 +245,10 @@ class Runner:
     ) -> None:
         inside = [run for run in runs if run.scene == scene]
         engine = [run for run in inside if run.path == ENGINE]
-        view = [run for run in inside if run.path != ENGINE]
-        for group, work in ((engine, self._engine), (view, self._view)):
+        remote = [run for run in inside if run.path == REMOTE]
+        view = [run for run in inside if run.path not in (ENGINE, REMOTE)]
+        groups = (engine, self._engine), (remote, self._remote), (view, self._view)
+        for group, work in groups:
             if group:
                 self._measure_group(session, volume, group, work, progress)
 
@@ -284,8 +289,18 @@ class Runner:
     def _view(
         self, session: Session, volume: Any, runs: list[Run], watch: GroupWatch
     ) -> list[Record]:
+        return self._in_view(session.run_view, volume, runs, watch)
+
+    def _remote(
+        self, session: Session, volume: Any, runs: list[Run], watch: GroupWatch
+    ) -> list[Record]:
+        return self._in_view(session.run_remote, volume, runs, watch)
+
+    def _in_view(
+        self, measure: Any, volume: Any, runs: list[Run], watch: GroupWatch
+    ) -> list[Record]:
         function = self.inputs.functions[runs[0].scene.transfer_function]
-        contestants, pictures = session.run_view(volume, function, runs, watch)
+        contestants, pictures = measure(volume, function, runs, watch)
         self._take_note(runs[0].scene, pictures)
         return [_measured(item, volume) for item in contestants]
 

@@ -1,4 +1,4 @@
-"""A ParaView session of a study; with session_engine and session_view all that imports paraview."""
+"""A ParaView session of a study; with session_engine, session_view and session_remote all that imports paraview."""
 
 from collections.abc import Callable
 from datetime import datetime, timezone
@@ -16,6 +16,7 @@ from .machine import machine_facts
 from .plugin_file import PLUGIN_NAME
 from .results import Context, Record
 from .session_engine import run_engine
+from .session_remote import RemoteStage, connected_server
 from .session_stability import run_stability
 from .session_view import ViewStage
 from .stability_study import StabilityStudy
@@ -95,6 +96,21 @@ class Session:
             return measure_view(stage, runs, self._study, watch)
         finally:
             stage.close()
+
+    def run_remote(
+        self,
+        volume: OpenVolume,
+        function: TransferFunction,
+        runs: list[Run],
+        watch: Watch,
+    ) -> tuple[list[Contestant], Pictures]:
+        """Measure the runs of one scene in a render view that a server of our own draws."""
+        with connected_server(self._plugin):
+            stage = RemoteStage(volume, function, runs[0].scene, self._study)
+            try:
+                return measure_view(stage, runs, self._study, watch)
+            finally:
+                stage.close()
 
     def run_start(
         self,

@@ -4,13 +4,12 @@ import math
 from typing import Any
 
 import numpy as np
-from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonDataModel import vtkImageData
 
 from .error import MEASURES, ImageError
 from .errors import BenchError
-from .session_support import ErrorLog, producer_of_image
+from .session_support import ErrorLog, client_proxy
 
 FILTER_PROXY = "VolumeImageError"
 Pair = tuple[np.ndarray, np.ndarray]
@@ -21,17 +20,15 @@ def compare_pictures(pairs: list[Pair]) -> ImageError:
 
     PSNR is None for equal pictures.
     """
-    producers = [[producer_of_image(_image(item)) for item in pair] for pair in pairs]
+    producers = [[_producer_of(item) for item in pair] for pair in pairs]
     pictures, references = (list(side) for side in zip(*producers))
     with ErrorLog() as log:
-        compare = getattr(simple, FILTER_PROXY)(
-            Pictures=pictures, References=references
-        )
-        compare.UpdatePipeline()
-        table = servermanager.Fetch(compare)
+        compare = client_proxy("filters", FILTER_PROXY)
+        compare.Pictures, compare.References = pictures, references
+        filter_here = compare.GetClientSideObject()
+        filter_here.Update()
+        table = filter_here.GetOutputDataObject(0)
         reason = log.text()
-    for proxy in (compare, *pictures, *references):
-        simple.Delete(proxy)
     if reason or table.GetNumberOfRows() != 1:
         raise BenchError(reason or f"{FILTER_PROXY} gave no row")
     measured = {name: _value(table, name) for name in MEASURES}
@@ -41,6 +38,12 @@ def compare_pictures(pairs: list[Pair]) -> ImageError:
             "finite"
         )
     return ImageError(**measured, image_size=pairs[0][0].shape[1::-1])
+
+
+def _producer_of(picture: np.ndarray) -> Any:
+    producer = client_proxy("sources", "TrivialProducer")
+    producer.GetClientSideObject().SetOutput(_image(picture))
+    return producer
 
 
 def _image(picture: np.ndarray) -> vtkImageData:

@@ -2,7 +2,8 @@
 
 from typing import Any
 
-from paraview import simple
+from paraview import servermanager, simple
+from paraview.modules.vtkRemotingCore import vtkPVSession
 from vtkmodules.util.vtkConstants import VTK_STRING
 from vtkmodules.vtkCommonCore import vtkOutputWindow
 
@@ -11,15 +12,18 @@ from .volume_io import OpenVolume
 
 def producer_of(volume: OpenVolume) -> Any:
     """Return a pipeline source that gives the volume in memory, without a copy."""
-    return producer_of_image(volume.image)
-
-
-def producer_of_image(image: Any) -> Any:
-    """Return a pipeline source that gives this data object, without a copy."""
     producer = simple.TrivialProducer()
-    producer.GetClientSideObject().SetOutput(image)
+    producer.GetClientSideObject().SetOutput(volume.image)
     producer.UpdatePipeline()
     return producer
+
+
+def client_proxy(group: str, name: str) -> Any:
+    """Return a proxy whose object is in this process, also in a session with a server."""
+    proxy = servermanager.ProxyManager().NewProxy(group, name)
+    proxy.SetLocation(vtkPVSession.CLIENT)
+    proxy.UpdateVTKObjects()
+    return servermanager._getPyProxy(proxy)
 
 
 def rows_of(table: Any) -> list[dict[str, Any]]:

@@ -28,6 +28,8 @@ CAPTURE_PROXY = "VolumeBenchmarkViewCapture"
 class ViewStage:
     """A render view of exactly the picture size, black, with nothing but the volume in it."""
 
+    capture_proxy = CAPTURE_PROXY
+
     def __init__(
         self,
         volume: OpenVolume,
@@ -129,14 +131,16 @@ class ViewStage:
         path.unlink(missing_ok=True)
         self._capture.FileName = str(path)
         self._capture.UpdateVTKObjects()
-        self._capture.SMProxy.InvokeCommand("Capture")
+        self._write_picture()
         width, height = self._view.GetRenderWindow().GetSize()
         if not path.is_file():
-            raise BenchError(self._log.text() or f"{CAPTURE_PROXY} wrote no picture")
+            raise BenchError(
+                self._log.text() or f"{self.capture_proxy} wrote no picture"
+            )
         values = np.fromfile(path, "<f4")
         if values.size != width * height * 4:
             raise BenchError(
-                f"{CAPTURE_PROXY} wrote {values.size} values, not {width} x {height} x 4"
+                f"{self.capture_proxy} wrote {values.size} values, not {width} x {height} x 4"
             )
         return values.reshape(height, width, 4)[::-1].copy()
 
@@ -172,16 +176,24 @@ class ViewStage:
         _set_size(self._view, list(size))
 
     def _make_capture(self) -> Any:
-        maker = getattr(servermanager.misc, CAPTURE_PROXY, None)
+        maker = getattr(servermanager.misc, self.capture_proxy, None)
         if maker is None:
             return None
         capture = maker()
         capture.View = self._view
         return capture
 
+    def _make_producer(self) -> Any:
+        """Return a pipeline source of the volume, for one display."""
+        return producer_of(self._volume)
+
+    def _write_picture(self) -> None:
+        """Have the picture written by the process that draws."""
+        self._capture.SMProxy.InvokeCommand("Capture")
+
     def _make_display(self, technique: str) -> Any:
         """Show the volume once more, with the representation of the technique."""
-        producer = producer_of(self._volume)
+        producer = self._make_producer()
         display = simple.Show(producer, self._view, "UniformGridRepresentation")
         try:
             self._set_up(display, technique)

@@ -7,7 +7,7 @@ from typing import Any
 
 from .errors import StudyError
 from .technique_settings import Settings
-from .techniques import INTERACTIVE, PATHS, VIEW, find_technique
+from .techniques import DEFAULT_PATHS, ENGINE, PARAVIEW, TECHNIQUES, find_technique
 
 COMPOSITE = "Composite"
 CELL_EXACT = "Cell Exact"
@@ -203,7 +203,7 @@ class Study:
     )
     technique_settings_scenes: tuple[ScenePattern, ...] = ()
     sweeps: tuple[Sweep, ...] = ()
-    paths: tuple[str, ...] = PATHS
+    paths: tuple[str, ...] = DEFAULT_PATHS
     camera: Camera = field(default_factory=Camera)
     timing: Timing = field(default_factory=Timing)
     error: ErrorSettings = field(default_factory=ErrorSettings)
@@ -382,7 +382,7 @@ def with_runs(study: Study, path: Path | None = None) -> Study:
     if not study.runs():
         raise StudyError(
             f'{path or study.name}: no run is left: techniques {", ".join(study.techniques)} do '
-            f'not exist in paths {", ".join(study.paths)} (ParaView\'s Volume: {VIEW} and '
-            f"{INTERACTIVE}; VTK's own mappers: engine)"
+            f'not exist in paths {", ".join(study.paths)} (ParaView\'s Volume: '
+            f"{', '.join(TECHNIQUES[PARAVIEW].paths)}; VTK's own mappers: {ENGINE})"
         )
     return study

@@ -11,7 +11,7 @@ from .orbit import FIXED_ANGLES, THREE_VIEWS
 from .study import Camera, Dataset, ErrorSettings, ScenePattern, Series, Start, Study
 from .study import Sweep, Timing, with_runs
 from .technique_settings import TECHNIQUE_SETTINGS, settings_of_technique
-from .techniques import PATHS, VIEW, find_technique
+from .techniques import DEFAULT_PATHS, VIEW, find_technique
 
 STUDY_FOLDER = Path(__file__).resolve().parent.parent / "Studies"
 _GROUPS = {"camera": Camera, "timing": Timing, "error": ErrorSettings}
@@ -286,7 +286,7 @@ def _sweeps(document: dict[str, Any], path: Path) -> tuple[Sweep, ...]:
         sweeps.append(
             Sweep(
                 tuple(techniques),
-                tuple(item.get("paths", document.get("paths", PATHS))),
+                tuple(item.get("paths", document.get("paths", DEFAULT_PATHS))),
                 tuple(
                     item.get("integrators", document.get("integrators", ("Midpoint",)))
                 ),

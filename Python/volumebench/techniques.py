@@ -9,7 +9,9 @@ from .errors import StudyError
 ENGINE = "engine"
 VIEW = "view"
 INTERACTIVE = "interactive"
-PATHS = (ENGINE, VIEW, INTERACTIVE)
+REMOTE = "remote"
+DEFAULT_PATHS = (ENGINE, VIEW, INTERACTIVE)  # a server has to be asked for
+PATHS = (*DEFAULT_PATHS, REMOTE)
 REFERENCE_TECHNIQUE = "single-pass"
 PARAVIEW = "paraview-volume"
 
@@ -45,7 +47,7 @@ _OURS = {
     "reference": "Reference",
 }
 _PEERS = (
-    Technique(PARAVIEW, "ParaView Volume", True, (VIEW, INTERACTIVE)),
+    Technique(PARAVIEW, "ParaView Volume", True, (VIEW, INTERACTIVE, REMOTE)),
     Technique("vtk-gpu", "VTK GPU mapper", True, (ENGINE,)),
     Technique("vtk-fixed-point", "VTK fixed-point mapper", True, (ENGINE,)),
 )

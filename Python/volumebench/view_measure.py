@@ -20,12 +20,13 @@ from .results import FAILED, OK, UNSUPPORTED, FrameLog, described_values, times
 from .study import CELL_EXACT, FINE_STEPS, Run, Study
 from .technique_settings import Settings
 from .transfer_functions import TransferFunction
-from .techniques import INTERACTIVE, PARAVIEW, REFERENCE_TECHNIQUE, TECHNIQUES, VIEW
+from .techniques import INTERACTIVE, PARAVIEW, REFERENCE_TECHNIQUE, REMOTE
+from .techniques import TECHNIQUES, VIEW
 from .watch import Watch
 
 BLOCK_FRAMES = 4
 # VTK's mapper needs some interactive frames until its automatic step has settled.
-SETTLE_FRAMES = {"view": 1, "interactive": 3}
+SETTLE_FRAMES = {VIEW: 1, INTERACTIVE: 3, REMOTE: 1}
 EXACT_TECHNIQUE = "reference"
 EXACT_LABEL = "cell-exact float64"
 EXACT_REDUCTION = 8  # the check is made on a picture so much smaller
@@ -199,7 +200,7 @@ def _measure_times(
 
 def _is_counted(run: Run) -> bool:
     """Tell whether samples are counted: of still pictures, and of all that ParaView's Volume shows."""
-    return run.technique == PARAVIEW or run.path == VIEW
+    return run.technique == PARAVIEW or run.path in (VIEW, REMOTE)
 
 
 def _share(contestant: Contestant, study: Study) -> float:

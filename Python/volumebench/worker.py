@@ -98,6 +98,12 @@ class WorkerSession:
         """Measure the runs of one scene in a render view."""
         return self._ask("run_view", (volume.file, function, runs), watch)
 
+    def run_remote(
+        self, volume: Opened, function: Any, runs: list[Run], watch: Watch
+    ) -> Any:
+        """Measure the runs of one scene that a server draws."""
+        return self._ask("run_remote", (volume.file, function, runs), watch)
+
     def run_start(self, volume: Opened, function: Any, watch: Any) -> Any:
         """Measure the first pictures of a volume."""
         return self._ask("run_start", (volume.file, function), watch)

@@ -99,6 +99,40 @@ def expect_rows_of_view(rows: list[Any]) -> None:
     assert all(row.left_out and row.bytes_on_device for row in rows)
 
 
+def check_path_remote() -> None:
+    """What a server draws is what one process draws, by its errors, samples and notes."""
+    study = {
+        "name": "tiny-remote",
+        "datasets": [shell("hollow", 24)],
+        "transfer_functions": ["shell-wall"],
+        "techniques": ["single-pass", "slices", "paraview-volume"],
+        "step_voxels": [1, 0.5],
+        "image_sizes": [[48, 36]],
+        "paths": ["view", "remote"],
+        "error": {"views": 2, "reference_step_voxels": 0.125},
+    }
+    with temporary_folder() as folder:
+        report = run_study(folder, study)
+        _, records = read_results(folder / "out" / "results.json")
+    assert "remote: client and server" in report
+    by_path = {
+        path: [row for row in records if row.path == path] for path in study["paths"]
+    }
+    assert [len(rows) for rows in by_path.values()] == [5, 5]
+    for here, there in zip(*by_path.values()):
+        name = f"{here.technique}, step {here.step_voxels}"
+        assert (there.technique, there.step_voxels) == (
+            here.technique,
+            here.step_voxels,
+        )
+        assert here.status == there.status == "ok", f"{name}: {there.reason}"
+        print(f"  {name}: RMSE {here.error.rmse:.3e} and {there.error.rmse:.3e}")
+        assert abs(there.error.rmse - here.error.rmse) <= 1e-6, name
+        assert there.samples_taken == here.samples_taken > 0, name
+        assert there.left_out == here.left_out, name
+        assert there.frame_ms.median > 0 and there.frames >= 3, name
+
+
 def check_tutorial() -> None:
     """The study of Documentation/first-study.md, and what the page says of its errors."""
     with temporary_folder() as folder:

@@ -124,6 +124,7 @@ class FakeSession:
         self.engine_fault = engine_fault
         self.volume_fault = volume_fault
         self.measured: list = []
+        self.served: list = []
         self.starts = 0
 
     def context(self) -> Context:
@@ -149,6 +150,10 @@ class FakeSession:
         if pictures.references:
             watch.reference(pictures)
         return [self._with_time(item) for item in contestants], pictures
+
+    def run_remote(self, volume, function, runs, watch):
+        self.served += runs
+        return self.run_view(volume, function, runs, watch)
 
     def run_start(self, volume, function, report):
         self.starts += 1

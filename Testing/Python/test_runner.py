@@ -85,6 +85,14 @@ def test_failed_rows_are_measured_again_on_resume(calm, tmp_path):
     assert {run.path for run in session.measured} == {"engine"}
 
 
+def test_runs_of_path_remote_go_to_a_server_of_their_own(calm, tmp_path):
+    paths = ("view", "interactive", "remote")
+    runner, session = run_study(replace(calm, paths=paths), tmp_path)
+    assert {run.path for run in session.served} == {"remote"}
+    assert {record.path for record in runner.records} == set(paths)
+    assert {record.status for record in runner.records} == {"ok"}
+
+
 def test_without_resume_everything_is_measured_anew(calm, tmp_path):
     run_study(calm, tmp_path)
     _, session = run_study(calm, tmp_path)

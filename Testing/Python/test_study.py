@@ -1,6 +1,7 @@
 """A study is expanded to the right runs, and every fault in it is told in one clear line."""
 
 import json
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -34,6 +35,12 @@ def test_full_factorial_with_peers_once(study):
             (peer, None, None)
         ]
     assert len({run.key() for run in runs}) == len(runs) == 21
+
+
+def test_a_server_is_used_where_it_is_asked_for(study):
+    assert "remote" not in study.paths
+    runs = replace(study, paths=("remote",)).runs()
+    assert {run.technique for run in runs} == {"single-pass", "paraview-volume"}
 
 
 def test_order_of_runs_follows_the_study(study):
@@ -263,7 +270,7 @@ BALL = {"name": "ball"}
         (changed("image_sizes", [[500, 500.5]]), "image_sizes[0][1]", "500.5"),
         (changed("image_sizes", [[99999, 5]]), "image_sizes[0][0]", "16384"),
         (changed("image_sizes", [[500]]), "image_sizes[0]", "[500]"),
-        (changed("paths", ["remote"]), "paths[0]", "remote"),
+        (changed("paths", ["elsewhere"]), "paths[0]", "elsewhere"),
         (changed("camera", {"path": "orbit-q"}), "camera.path", "orbit-y"),
         (changed("camera", {"frames": 0}), "camera.frames", "at least 1"),
         (changed("camera", {"zoom": 0}), "camera.zoom", "from 0.1"),
