@@ -8,7 +8,6 @@
 #include "vtkMultiBlockVolumeMapper.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVRenderView.h"
-#include "vtkPVSynchronizedRenderer.h"
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
 #include "vtkVolume.h"
@@ -131,20 +130,6 @@ private:
   std::vector<vtkSmartPointer<vtkVolume>> Shown;
   std::vector<std::unique_ptr<volumebench::VtkSampleCounter>> Counters;
 };
-
-// Keeps a server's view to itself while in scope: a picture that the client has not asked for would
-// be sent to it all the same.
-class DrawnAlone : public vtkPVRenderView
-{
-public:
-  static std::shared_ptr<void> For(vtkPVRenderView* view)
-  {
-    vtkSmartPointer<vtkPVSynchronizedRenderer> others = view->*&DrawnAlone::SynchronizedRenderers;
-    const bool enabled = others->GetEnabled();
-    others->SetEnabled(false);
-    return { nullptr, [others, enabled](void*) { others->SetEnabled(enabled); } };
-  }
-};
 }
 
 vtkVolumeBenchViewCapture::vtkVolumeBenchViewCapture() = default;
@@ -163,7 +148,6 @@ void vtkVolumeBenchViewCapture::Capture()
     {
       throw std::runtime_error("there is no render view to capture");
     }
-    const auto alone = DrawnAlone::For(this->View);
     vtkRenderer* renderer = this->View->GetRenderer();
     std::unique_ptr<CountedVolumes> counted;
     std::unique_ptr<CountingMappers> counting;
