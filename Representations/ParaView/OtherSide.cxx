@@ -75,26 +75,33 @@ private:
     }
     this->Told = session;
     const char* file = plugins->GetLocalInformation()->GetPluginFileName(here);
-    vtkGenericWarningMacro("The server has no plugin "
-      << PluginName << ", so its representations, readers and benchmark are missing: load it there "
-      << "too, with Tools > Manage Plugins > Remote Plugins > Load New, or in Python with "
-      << "LoadPlugin(\"" << (file ? file : PluginName) << "\", remote=True), where the path is the "
-      << "server's. Load it before image data are shown.");
+    // With an object, as ParaView's window shows nothing of generic warnings but the place in the
+    // source.
+    vtkWarningWithObjectMacro(plugins,
+      "The server has no plugin "
+        << PluginName
+        << ", so its representations, readers and benchmark are missing. Load it there "
+        << "too, with Tools > Manage Plugins > Remote Plugins > Load New, or in Python with "
+        << "LoadPlugin(\"" << (file ? file : PluginName)
+        << "\", remote=True), where the path is the "
+        << "server's. Load it before image data are shown.");
   }
 
   vtkWeakPointer<vtkSMSession> Told;
 };
 
 // ParaView sends what a server says to the client, which has nothing of ours to say it.
-void CheckClient(vtkObject*, unsigned long, void*, void* text)
+void CheckClient(vtkObject* window, unsigned long, void*, void* text)
 {
   const auto* message = static_cast<const char*>(text);
   if (message && std::strstr(message, MissingInClient))
   {
-    vtkGenericWarningMacro("The server has the plugin "
-      << PluginName << ", the client has not, so no image data can be shown: load it in the client "
-      << "too, with Tools > Manage Plugins > Local Plugins > Load New, or in Python with "
-      << "LoadPlugin(\"/path/" << PluginName << ".so\", remote=False), and show the data anew.");
+    vtkWarningWithObjectMacro(window,
+      "The server has the plugin "
+        << PluginName
+        << ", the client has not, so no image data can be shown. Load it in the client "
+        << "too, with Tools > Manage Plugins > Local Plugins > Load New, or in Python with "
+        << "LoadPlugin(\"/path/" << PluginName << ".so\", remote=False), and show the data anew.");
   }
 }
 }

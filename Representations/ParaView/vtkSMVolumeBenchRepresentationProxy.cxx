@@ -158,7 +158,7 @@ void vtkSMVolumeBenchRepresentationProxy::OnRendered(vtkObject*, unsigned long, 
   {
     vtkErrorMacro(
       "The server ended, or the connection to it was lost, before its picture was here. "
-      "Nothing of this session can be drawn again: disconnect (File > Disconnect, in "
+      "Nothing of this session can be drawn again. Disconnect (File > Disconnect, in "
       "Python Disconnect()), and connect to a new server.");
     return;
   }
