@@ -219,7 +219,8 @@ def client_of_killed_server(folder: Path) -> str:
 def draw_slowly(port: int) -> None:
     """Draw what takes seconds, twice; then what can be drawn without a server."""
     connect(port)
-    view, _ = shown("Volume Reference", 40, (500, 500))
+    view, display = shown("Volume Single Pass", 36, (500, 500))
+    display.SetRepresentationType("Volume Reference")
     for message in ("first", "drawing"):
         view.GetActiveCamera().Azimuth(5)
         print(message, flush=True)
