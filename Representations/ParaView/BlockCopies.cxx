@@ -1,13 +1,15 @@
 #include "BlockCopies.h"
 
+#include "ImagePieces.h"
+
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
+#include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkPartitionedDataSet.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,43 +18,30 @@ namespace volumebench
 {
 namespace
 {
-// Cuts off the layers of cells that another block or rank holds as well.
-void CutGhosts(vtkImageData* image)
+vtkSmartPointer<vtkDataSet> CopyOf(vtkDataSet* block)
 {
-  vtkUnsignedCharArray* ghosts = image->GetCellGhostArray();
-  if (!ghosts)
+  vtkSmartPointer<vtkDataSet> copy;
+  copy.TakeReference(block->NewInstance());
+  copy->ShallowCopy(block);
+  if (auto* image = vtkImageData::SafeDownCast(copy))
   {
-    return;
+    int own[6];
+    OwnExtentOf(image, own);
+    image->Crop(own);
   }
-  const int* extent = image->GetExtent();
-  int own[6] = { extent[1], extent[0], extent[3], extent[2], extent[5], extent[4] };
-  vtkIdType cell = 0;
-  for (int k = extent[4]; k < std::max(extent[5], extent[4] + 1); ++k)
-  {
-    for (int j = extent[2]; j < std::max(extent[3], extent[2] + 1); ++j)
-    {
-      for (int i = extent[0]; i < std::max(extent[1], extent[0] + 1); ++i)
-      {
-        if (!(ghosts->GetValue(cell++) & vtkDataSetAttributes::DUPLICATECELL))
-        {
-          const int index[3] = { i, j, k };
-          for (int axis = 0; axis < 3; ++axis)
-          {
-            own[2 * axis] = std::min(own[2 * axis], index[axis]);
-            own[2 * axis + 1] =
-              std::max(own[2 * axis + 1], std::min(index[axis] + 1, extent[2 * axis + 1]));
-          }
-        }
-      }
-    }
-  }
-  image->Crop(own);
+  return copy;
 }
 }
 
-vtkSmartPointer<vtkPartitionedDataSet> CopyBlocks(vtkCompositeDataSet* composite)
+vtkSmartPointer<vtkPartitionedDataSet> CopyBlocks(vtkDataObject* input)
 {
   auto copies = vtkSmartPointer<vtkPartitionedDataSet>::New();
+  auto* composite = vtkCompositeDataSet::SafeDownCast(input);
+  if (!composite)
+  {
+    copies->SetPartition(0, CopyOf(vtkDataSet::SafeDownCast(input)));
+    return copies;
+  }
   vtkSmartPointer<vtkCompositeDataIterator> iterator;
   iterator.TakeReference(composite->NewIterator());
   for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
@@ -62,15 +51,8 @@ vtkSmartPointer<vtkPartitionedDataSet> CopyBlocks(vtkCompositeDataSet* composite
     {
       continue;
     }
-    vtkSmartPointer<vtkDataSet> copy;
-    copy.TakeReference(block->NewInstance());
-    copy->ShallowCopy(block);
-    if (auto* image = vtkImageData::SafeDownCast(copy))
-    {
-      CutGhosts(image);
-    }
     const unsigned int place = copies->GetNumberOfPartitions();
-    copies->SetPartition(place, copy);
+    copies->SetPartition(place, CopyOf(block));
     if (iterator->HasCurrentMetaData() &&
       iterator->GetCurrentMetaData()->Has(vtkCompositeDataSet::NAME()))
     {

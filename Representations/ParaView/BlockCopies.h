@@ -17,9 +17,9 @@ class vtkPartitionedDataSet;
 
 namespace volumebench
 {
-/// Shallow copies of all blocks that have points, with their names; blocks that are no images come
-/// along, so that the mapper can name them.
-vtkSmartPointer<vtkPartitionedDataSet> CopyBlocks(vtkCompositeDataSet* composite);
+/// Shallow copies of an image, or of all blocks that have points, with their names; blocks that are no
+/// images come along, so that the mapper can name them.
+vtkSmartPointer<vtkPartitionedDataSet> CopyBlocks(vtkDataObject* input);
 
 /// The image itself, or the images of a composite data set that have points.
 std::vector<vtkImageData*> ImagesOf(vtkDataObject* data);

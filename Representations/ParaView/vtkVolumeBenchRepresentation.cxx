@@ -24,6 +24,7 @@
 #include "vtkScalarsToColors.h"
 #include "vtkVolumeProperty.h"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -97,6 +98,7 @@ void vtkVolumeBenchRepresentation::UpdateMapperParameters()
 {
   this->Superclass::UpdateMapperParameters();
   this->VolumeMapper->SetBlendMode(this->TechniqueBlendMode);
+  this->ForwardCropping();
   const std::string failure = this->WhyNotDrawn();
   if (!failure.empty())
   {
@@ -181,24 +183,13 @@ void vtkVolumeBenchRepresentation::CheckArray(const volumebench::Block& block)
   }
 }
 
+// Volumes that are not ours keep their data where they are.
 std::string vtkVolumeBenchRepresentation::WhyRanksDoNotBlend()
 {
-  if (this->Ranks.Overlap)
+  if (this->RanksInterleave)
   {
-    return "the blocks of different ranks interleave, so ParaView cannot blend the ranks' pictures "
-           "in order: give each rank blocks that fill a box of their own";
-  }
-  if (this->Ranks.WithData > 1 && this->GetMapper()->GetShow() != vtkVolumeBenchMapper::Picture)
-  {
-    return "the data are spread over " + std::to_string(this->Ranks.WithData) +
-      " ranks, whose samples ParaView does not add up: samples per pixel need all on one rank";
-  }
-  const bool overEachOther = this->TechniqueBlendMode == vtkVolumeMapper::COMPOSITE_BLEND ||
-    this->TechniqueBlendMode == vtkVolumeBenchMapper::GRADIENT_BLEND;
-  if (this->Ranks.WithData > 1 && !overEachOther)
-  {
-    return "the data are spread over " + std::to_string(this->Ranks.WithData) +
-      " ranks, whose pictures ParaView blends as Composite: other blend modes need all on one rank";
+    return "what the view shows on different ranks interleaves, so ParaView cannot blend the ranks' "
+           "pictures in order: hide other volumes, or show them with a technique of ours too";
   }
   return {};
 }
@@ -216,57 +207,82 @@ int vtkVolumeBenchRepresentation::FillInputPortInformation(int port, vtkInformat
 int vtkVolumeBenchRepresentation::RequestData(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  int done = 0;
-  if (auto* composite = vtkCompositeDataSet::GetData(inputs[0], 0))
+  if (this->Redelivers)
   {
-    this->KeepBlocks(composite);
-    // The superclass's own takes composite data for its own mapper only.
-    done = this->vtkVolumeRepresentation::RequestData(request, inputs, outputs);
+    return this->vtkVolumeRepresentation::RequestData(request, inputs, outputs);
   }
-  else
+  vtkDataObject* input = vtkDataObject::GetData(inputs[0], 0);
+  if (!vtkImageData::SafeDownCast(input) && !vtkCompositeDataSet::SafeDownCast(input))
   {
-    done = this->Superclass::RequestData(request, inputs, outputs);
+    this->OwnImages.clear();
+    return this->Superclass::RequestData(request, inputs, outputs);
   }
-  this->Ranks = {};
-  if (inputs[0]->GetNumberOfInformationObjects() == 1 && !volumebench::IsAlone())
-  {
-    this->Ranks = volumebench::CompareRanks(this->DataBounds);
-  }
-  return done;
+  this->KeepImages(input);
+  return this->vtkVolumeRepresentation::RequestData(request, inputs, outputs);
 }
 
-void vtkVolumeBenchRepresentation::KeepBlocks(vtkCompositeDataSet* input)
+void vtkVolumeBenchRepresentation::KeepImages(vtkDataObject* input)
 {
   auto blocks = volumebench::CopyBlocks(input);
-  if (this->UseSeparateOpacityArray)
+  this->OwnImages.clear();
+  for (vtkImageData* image : volumebench::ImagesOf(blocks))
   {
-    for (vtkImageData* image : volumebench::ImagesOf(blocks))
+    if (this->UseSeparateOpacityArray)
     {
       this->AppendOpacityComponent(image);
     }
+    this->OwnImages.emplace_back(image);
   }
-  this->Actor->SetEnableLOD(0);
-  this->VolumeMapper->SetInputDataObject(blocks);
+  this->OnlyImages = this->OwnImages.size() == blocks->GetNumberOfPartitions();
   blocks->GetBounds(this->DataBounds);
   this->OutlineSource->SetBounds(this->DataBounds);
   this->OutlineSource->Update();
   this->DataSize = blocks->GetActualMemorySize();
-  this->Cache = blocks;
+  this->OwnData = blocks;
+  if (this->OnlyImages)
+  {
+    this->OwnImages = volumebench::Joined(this->OwnImages);
+    if (this->OwnImages.size() == 1)
+    {
+      this->OwnData = this->OwnImages.front();
+    }
+  }
+  this->OwnTime.Modified();
+  this->Cache = this->OwnData;
+  this->Actor->SetEnableLOD(0);
+  this->VolumeMapper->SetInputDataObject(this->Cache);
+  std::copy(this->DataBounds, this->DataBounds + 6, this->WholeBounds);
+  this->FindDefaultRange();
+}
+
+void vtkVolumeBenchRepresentation::FindDefaultRange()
+{
+  const std::vector<vtkImageData*> images = volumebench::ImagesOf(this->OwnData);
+  volumebench::Centering center = volumebench::Centering::Point;
+  vtkDataArray* array = images.empty() ? nullptr : volumebench::FirstArray(images.front(), center);
+  volumebench::FiniteRangeOf(images, array ? array->GetName() : "", center, this->OwnRange);
+  std::copy(this->OwnRange, this->OwnRange + 2, this->DefaultRange);
 }
 
 int vtkVolumeBenchRepresentation::ProcessViewRequest(
   vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo)
 {
+  auto* view = vtkPVRenderView::SafeDownCast(inInfo->Get(vtkPVView::VIEW()));
+  if (request == vtkPVView::REQUEST_RENDER() && view)
+  {
+    this->LookAtOrder(view);
+  }
   if (!this->Superclass::ProcessViewRequest(request, inInfo, outInfo))
   {
     return 0;
   }
-  if (request == vtkPVView::REQUEST_RENDER())
+  if (request == vtkPVView::REQUEST_UPDATE())
   {
-    if (auto* view = vtkPVRenderView::SafeDownCast(inInfo->Get(vtkPVView::VIEW())))
-    {
-      this->SwitchVolumePeelingOff(view->GetRenderer());
-    }
+    this->PlaceInWorld(inInfo, outInfo);
+  }
+  if (request == vtkPVView::REQUEST_RENDER() && view)
+  {
+    this->SwitchVolumePeelingOff(view->GetRenderer());
   }
   return 1;
 }
@@ -302,6 +318,17 @@ bool vtkVolumeBenchRepresentation::RemoveFromView(vtkView* view)
 {
   this->RestoreVolumePeeling();
   return this->Superclass::RemoveFromView(view);
+}
+
+// The superclass takes the crop box from this rank's part of the data.
+void vtkVolumeBenchRepresentation::ForwardCropping()
+{
+  double planes[6];
+  for (int i = 0; i < 6; ++i)
+  {
+    planes[i] = this->CroppingOrigin[i / 2] + this->WholeBounds[i] * this->CroppingScale[i / 2];
+  }
+  this->VolumeMapper->SetCroppingRegionPlanes(planes);
 }
 
 void vtkVolumeBenchRepresentation::ForwardVectorMode()
@@ -357,13 +384,10 @@ void vtkVolumeBenchRepresentation::DrawDefaultArray()
     return; // a process without data
   }
   const std::string name = array->GetName();
-  if (this->Cache != this->RampedData || this->Cache->GetMTime() != this->RampTime)
+  if (!std::equal(this->RampRange, this->RampRange + 2, this->DefaultRange))
   {
-    double range[2];
-    volumebench::FiniteRangeOf(images, name, center, range);
-    volumebench::FillDefaultTransferFunction(this->DefaultProperty, range);
-    this->RampedData = this->Cache;
-    this->RampTime = this->Cache->GetMTime();
+    volumebench::FillDefaultTransferFunction(this->DefaultProperty, this->DefaultRange);
+    std::copy(this->DefaultRange, this->DefaultRange + 2, this->RampRange);
   }
   vtkVolumeProperty* settings = this->Property;
   this->DefaultProperty->SetShade(settings->GetShade());

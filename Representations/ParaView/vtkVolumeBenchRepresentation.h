@@ -18,7 +18,8 @@
 #ifndef vtkVolumeBenchRepresentation_h
 #define vtkVolumeBenchRepresentation_h
 
-#include "RankBoxes.h"                        // for a member
+#include "ImagePieces.h"                      // for a member
+#include "RankLayout.h"                       // for a member
 #include "VolumeBenchRepresentationsModule.h" // for the export macro
 #include "vtkImageVolumeRepresentation.h"
 #include "vtkStringArray.h" // for a member
@@ -34,6 +35,7 @@ struct ErrorEstimate;
 
 class vtkCompositeDataSet;
 class vtkPiecewiseFunction;
+class vtkPVRenderView;
 class vtkRenderer;
 class vtkVolumeBenchMapper;
 
@@ -144,13 +146,25 @@ private:
   vtkVolumeBenchRepresentation(const vtkVolumeBenchRepresentation&) = delete;
   void operator=(const vtkVolumeBenchRepresentation&) = delete;
 
-  void KeepBlocks(vtkCompositeDataSet* input);
+  void KeepImages(vtkDataObject* input);
+  bool NeedsOneRank();
+  void PlaceInWorld(vtkInformation* request, vtkInformation* reply);
+  void UseRanks(vtkInformation* request, vtkInformation* reply);
+  void Spread(
+    const volumebench::RankLayout& layout, vtkInformation* request, vtkInformation* reply);
+  vtkSmartPointer<vtkDataObject> ExchangedData(const volumebench::RankLayout& layout);
+  void FindDefaultRange();
+  void LookAtOrder(vtkPVRenderView* view);
+  void SortVolumes(vtkPVRenderView* view);
+  void Redeliver(vtkInformation* request, vtkInformation* reply);
+  void CutOffNeighbours(const volumebench::RankLayout& layout);
   void DrawDefaultArray();
   void SwitchVolumePeelingOff(vtkRenderer* renderer);
   void RestoreVolumePeeling();
   std::string WhyNotDrawn();
   void CheckArray(const volumebench::Block& block);
   std::string WhyRanksDoNotBlend();
+  void ForwardCropping();
   void ForwardVectorMode();
   void ForwardGradientOpacity(vtkVolumeProperty* property);
   vtkVolumeBenchMapper* GetMapper();
@@ -164,9 +178,20 @@ private:
   vtkNew<vtkStringArray> OpenClDevices;
 
   vtkNew<vtkVolumeProperty> DefaultProperty; // used while no array is chosen
-  vtkDataObject* RampedData = nullptr;       // whose range the default ramp spans; never read
-  vtkMTimeType RampTime = 0;
-  volumebench::RankBoxes Ranks;
+  double RampRange[2] = { 1.0, 0.0 };        // that its ramp spans
+
+  volumebench::Images OwnImages; // of this process's input, without ghost cells
+  bool OnlyImages = true;        // there is nothing else in it
+  vtkSmartPointer<vtkDataObject> OwnData;
+  vtkTimeStamp OwnTime;
+  double WholeBounds[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 }; // of all ranks' data
+  volumebench::RankLayout Ranks;
+  double SpreadMatrix[16] = {}; // what they are laid out for
+  bool Redelivers = false;
+  bool RanksInterleave = false; // with all that the view shows
+  double OwnRange[2] = { 1.0, 0.0 };     // of the values of the default array
+  double DefaultRange[2] = { 1.0, 0.0 }; // of the values of the default array on all ranks
+  vtkTimeStamp SpreadTime;
   std::string Failure;      // said once, not at every render
   std::string ErrorRefusal; // why no error can be estimated
   std::string ErrorText;    // these live as long as who asked for them needs

@@ -1,0 +1,251 @@
+// The part of vtkVolumeBenchRepresentation that gives each rank what it draws.
+//
+// ParaView blends the ranks' pictures in the order of the boxes round what they hold. So those boxes
+// must be apart, all volumes of a view taken together; where they are not, voxels change ranks. Each
+// rank has a layer of its neighbours' voxels besides, for what is interpolated at the border, and
+// planes that cut the layer off.
+#include "vtkVolumeBenchRepresentation.h"
+
+#include "BlockCopies.h"
+#include "RankExchange.h"
+#include "vtkVolumeBenchMapper.h"
+
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkMath.h"
+#include "vtkMatrix4x4.h"
+#include "vtkMultiProcessController.h"
+#include "vtkNew.h"
+#include "vtkPVLODVolume.h"
+#include "vtkPVRenderView.h"
+#include "vtkPVRenderViewDataDeliveryManager.h"
+#include "vtkPartitionedDataSet.h"
+#include "vtkPlane.h"
+#include "vtkPropCollection.h"
+#include "vtkRenderer.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+vtkBoundingBox Transformed(const double bounds[6], vtkMatrix4x4* matrix)
+{
+  vtkBoundingBox transformed;
+  const vtkBoundingBox box(bounds);
+  for (int corner = 0; box.IsValid() && corner < 8; ++corner)
+  {
+    double point[4] = { 0.0, 0.0, 0.0, 1.0 };
+    box.GetCorner(corner, point);
+    matrix->MultiplyPoint(point, point);
+    transformed.AddPoint(point);
+  }
+  return transformed;
+}
+
+bool AllRanksAgree(bool here)
+{
+  int agrees = here ? 1 : 0;
+  int all = 0;
+  vtkMultiProcessController::GetGlobalController()->AllReduce(
+    &agrees, &all, 1, vtkCommunicator::MIN_OP);
+  return all == 1;
+}
+
+vtkSmartPointer<vtkPartitionedDataSet> PartitionsOf(const volumebench::Images& images)
+{
+  auto data = vtkSmartPointer<vtkPartitionedDataSet>::New();
+  for (vtkImageData* image : images)
+  {
+    data->SetPartition(data->GetNumberOfPartitions(), image);
+  }
+  return data;
+}
+
+std::vector<vtkVolumeBenchRepresentation*> VolumesOf(vtkPVRenderView* view)
+{
+  std::vector<vtkVolumeBenchRepresentation*> volumes;
+  for (int i = 0; i < view->GetNumberOfRepresentations(); ++i)
+  {
+    auto* volume = vtkVolumeBenchRepresentation::SafeDownCast(view->GetRepresentation(i));
+    if (volume && volume->GetVisibility())
+    {
+      volumes.push_back(volume);
+    }
+  }
+  return volumes;
+}
+}
+
+// The superclass gives the view the bounds that the data have without the prop's transform.
+void vtkVolumeBenchRepresentation::PlaceInWorld(vtkInformation* request, vtkInformation* reply)
+{
+  if (!volumebench::IsAlone())
+  {
+    this->UseRanks(request, reply);
+    return;
+  }
+  double bounds[6];
+  Transformed(this->DataBounds, this->Actor->GetMatrix()).GetBounds(bounds);
+  vtkPVRenderView::SetGeometryBounds(request, this, bounds);
+}
+
+// The last of a view's volumes does it for all: the others are up to date by then.
+void vtkVolumeBenchRepresentation::UseRanks(vtkInformation* request, vtkInformation* reply)
+{
+  auto* view = vtkPVRenderView::SafeDownCast(request->Get(vtkPVView::VIEW()));
+  const std::vector<vtkVolumeBenchRepresentation*> volumes = VolumesOf(view);
+  if (volumes.empty() || volumes.back() != this)
+  {
+    return;
+  }
+  volumebench::RankVolumes here;
+  for (vtkVolumeBenchRepresentation* volume : volumes)
+  {
+    here.Box.AddBox(Transformed(volume->DataBounds, volume->Actor->GetMatrix()));
+    here.Together = here.Together || volume->NeedsOneRank();
+  }
+  const volumebench::RankLayout layout = volumebench::LayOutRanks(here);
+  for (vtkVolumeBenchRepresentation* volume : volumes)
+  {
+    volume->Spread(layout, request, reply);
+  }
+}
+
+// A pixel's maximum, or a count of samples, is not one rank's picture over another's.
+bool vtkVolumeBenchRepresentation::NeedsOneRank()
+{
+  return this->GetMapper()->GetShow() != vtkVolumeBenchMapper::Picture ||
+    (this->TechniqueBlendMode != vtkVolumeMapper::COMPOSITE_BLEND &&
+      this->TechniqueBlendMode != vtkVolumeBenchMapper::GRADIENT_BLEND);
+}
+
+void vtkVolumeBenchRepresentation::Spread(
+  const volumebench::RankLayout& layout, vtkInformation* request, vtkInformation* reply)
+{
+  const int rank = vtkMultiProcessController::GetGlobalController()->GetLocalProcessId();
+  std::copy(this->DataBounds, this->DataBounds + 6, this->WholeBounds);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    volumebench::ReduceRange(this->WholeBounds + 2 * axis);
+  }
+  std::copy(this->OwnRange, this->OwnRange + 2, this->DefaultRange);
+  volumebench::ReduceRange(this->DefaultRange);
+  vtkMatrix4x4* matrix = this->Actor->GetMatrix();
+  const bool same = layout.Boxes == this->Ranks.Boxes &&
+    std::equal(matrix->GetData(), matrix->GetData() + 16, this->SpreadMatrix) &&
+    this->SpreadTime > this->OwnTime;
+  if (!AllRanksAgree(same))
+  {
+    std::copy_n(matrix->GetData(), 16, this->SpreadMatrix);
+    this->Ranks = layout;
+    this->Cache = this->ExchangedData(layout);
+    this->Redeliver(request, reply);
+    this->SpreadTime.Modified();
+  }
+  // ParaView sorts boxes that touch; what slabs hold need not.
+  vtkBoundingBox shown = layout.Boxes[rank];
+  if (!layout.Moved)
+  {
+    shown = Transformed(this->DataBounds, matrix);
+  }
+  double bounds[6];
+  vtkMath::UninitializeBounds(bounds);
+  if (shown.IsValid())
+  {
+    shown.GetBounds(bounds);
+  }
+  vtkPVRenderView::SetGeometryBounds(request, this, bounds);
+}
+
+// The view takes a piece, and sorts the ranks anew, only where its pipeline has run since the last.
+void vtkVolumeBenchRepresentation::Redeliver(vtkInformation* request, vtkInformation* reply)
+{
+  this->Redelivers = true;
+  this->MarkModified();
+  this->Superclass::ProcessViewRequest(vtkPVView::REQUEST_UPDATE(), request, reply);
+  this->Redelivers = false;
+}
+
+vtkSmartPointer<vtkDataObject> vtkVolumeBenchRepresentation::ExchangedData(
+  const volumebench::RankLayout& layout)
+{
+  this->VolumeMapper->RemoveAllClippingPlanes();
+  if (layout.WithData < 2 || !AllRanksAgree(this->OnlyImages))
+  {
+    return this->OwnData;
+  }
+  constexpr int Layers = 1; // for interpolation and central differences
+  volumebench::Images pieces = volumebench::Joined(volumebench::ExchangeImages(
+    this->OwnImages, this->Actor->GetMatrix(), layout.Boxes, Layers));
+  if (!layout.Moved && pieces.size() != 1)
+  {
+    return this->OwnData; // blocks with gaps between them stay as they are
+  }
+  this->CutOffNeighbours(layout);
+  return PartitionsOf(pieces);
+}
+
+// Planes where this rank's box ends and the volume goes on.
+void vtkVolumeBenchRepresentation::CutOffNeighbours(const volumebench::RankLayout& layout)
+{
+  const int rank = vtkMultiProcessController::GetGlobalController()->GetLocalProcessId();
+  const vtkBoundingBox whole = Transformed(this->WholeBounds, this->Actor->GetMatrix());
+  const vtkBoundingBox& box = layout.Boxes[rank];
+  if (!box.IsValid())
+  {
+    return;
+  }
+  constexpr double Rounding = 1e-6; // of the volume's length
+  const double margin = Rounding * whole.GetMaxLength();
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    for (const bool low : { true, false })
+    {
+      const double end = low ? box.GetMinPoint()[axis] : box.GetMaxPoint()[axis];
+      const bool goesOn = low ? whole.GetMinPoint()[axis] < end - margin
+                              : whole.GetMaxPoint()[axis] > end + margin;
+      if (goesOn)
+      {
+        vtkNew<vtkPlane> plane;
+        double normal[3] = { 0.0, 0.0, 0.0 };
+        normal[axis] = low ? 1.0 : -1.0;
+        plane->SetNormal(normal);
+        plane->SetOrigin(end, end, end);
+        this->VolumeMapper->AddClippingPlane(plane);
+      }
+    }
+  }
+}
+
+void vtkVolumeBenchRepresentation::LookAtOrder(vtkPVRenderView* view)
+{
+  const auto* manager =
+    vtkPVRenderViewDataDeliveryManager::SafeDownCast(view->GetDeliveryManager());
+  this->RanksInterleave = manager && !volumebench::IsAlone() &&
+    volumebench::AnyOverlap(manager->GetCuts());
+  this->SortVolumes(view);
+}
+
+// A renderer draws volumes in the order in which it got them.
+void vtkVolumeBenchRepresentation::SortVolumes(vtkPVRenderView* view)
+{
+  const std::vector<vtkVolumeBenchRepresentation*> volumes = VolumesOf(view);
+  if (volumes.size() < 2 || volumes.back() != this)
+  {
+    return;
+  }
+  std::vector<vtkBoundingBox> boxes;
+  for (vtkVolumeBenchRepresentation* volume : volumes)
+  {
+    boxes.push_back(Transformed(volume->WholeBounds, volume->Actor->GetMatrix()));
+  }
+  vtkPropCollection* props = view->GetRenderer()->GetViewProps();
+  for (const std::size_t volume : volumebench::BackToFront(boxes, view->GetActiveCamera()))
+  {
+    // Not through the renderer, which would free what the volume has on the device.
+    vtkPVLODVolume* actor = volumes[volume]->Actor;
+    props->RemoveItem(actor);
+    props->AddItem(actor);
+  }
+}
