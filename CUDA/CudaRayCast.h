@@ -15,6 +15,7 @@ public:
   std::string WhyNoDevice() const override { return CudaDevice::WhyNone(); }
   std::string GetDeviceName() const override { return CudaDevice::Description(); }
   SetUpCosts GetSetUpCosts() const override;
+  bool DrawsShares() const override { return true; }
   std::optional<VolumeRoom> RoomFor(const Scene& scene) const override;
 
 protected:

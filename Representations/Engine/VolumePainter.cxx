@@ -1,5 +1,6 @@
 #include "VolumePainter.h"
 
+#include "Bricks/VolumeShare.h"
 #include "Gpu/GlContextGuard.h"
 #include "Scene/CameraBuilder.h"
 #include "Scene/FrameRate.h"
@@ -172,6 +173,10 @@ std::vector<VolumePainter::PartScene> VolumePainter::ScenesBackToFront(vtkVolume
         scenes.push_back(
           { part, part->Builder.Build(mapper, renderer, volume, blocks[i].Image, range, target) });
         Scene& scene = scenes.back().Scene;
+        if (scene.Share && !part->Technique->DrawsShares())
+        {
+          ClipToShare(scene);
+        }
         if (const std::optional<VolumeRoom> room = part->Technique->RoomFor(scene))
         {
           DivideIntoBricks(scene, *room);

@@ -3,6 +3,7 @@
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkFieldData.h"
 #include "vtkImageData.h"
 #include "vtkMatrix3x3.h"
 #include "vtkPointData.h"
@@ -13,16 +14,43 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <functional>
 #include <string>
 
 namespace volumebench
 {
 namespace
 {
-using Extent = std::array<int, 6>;
-
 constexpr double SameSpacing = 1e-9; // relative
 constexpr double OnLattice = 1e-6;   // of a voxel's edge
+
+bool SameDirections(vtkImageData* first, vtkImageData* second)
+{
+  const double* direction = first->GetDirectionMatrix()->GetData();
+  return std::equal(direction, direction + 9, second->GetDirectionMatrix()->GetData(),
+    [](double one, double other) { return std::abs(one - other) <= SameSpacing; });
+}
+
+// Whether images whose axes have the same directions have more in common than a face.
+bool Overlap(vtkImageData* first, vtkImageData* second)
+{
+  const int* extent = second->GetExtent();
+  double low[3];
+  double high[3];
+  double corner[3];
+  second->TransformIndexToPhysicalPoint(extent[0], extent[2], extent[4], corner);
+  first->TransformPhysicalPointToContinuousIndex(corner, low);
+  second->TransformIndexToPhysicalPoint(extent[1], extent[3], extent[5], corner);
+  first->TransformPhysicalPointToContinuousIndex(corner, high);
+  bool overlap = true;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const int* own = first->GetExtent() + 2 * axis;
+    overlap = overlap && std::min(low[axis], high[axis]) < own[1] - OnLattice &&
+      std::max(low[axis], high[axis]) > own[0] + OnLattice;
+  }
+  return overlap;
+}
 
 // The extent of a piece, counted from the origin of the first one.
 bool ExtentOnLattice(vtkImageData* first, vtkImageData* piece, Extent& extent)
@@ -41,9 +69,7 @@ bool ExtentOnLattice(vtkImageData* first, vtkImageData* piece, Extent& extent)
     extent[2 * axis] = piece->GetExtent()[2 * axis] + static_cast<int>(shift);
     extent[2 * axis + 1] = piece->GetExtent()[2 * axis + 1] + static_cast<int>(shift);
   }
-  const double* direction = first->GetDirectionMatrix()->GetData();
-  return std::equal(direction, direction + 9, piece->GetDirectionMatrix()->GetData(),
-    [](double one, double other) { return std::abs(one - other) <= SameSpacing; });
+  return SameDirections(first, piece);
 }
 
 bool SameArrays(vtkDataSetAttributes* first, vtkDataSetAttributes* other)
@@ -76,25 +102,32 @@ bool ShareCells(const Extent& first, const Extent& second)
   bool share = true;
   for (int axis = 0; axis < 3; ++axis)
   {
-    share = share && first[2 * axis] < second[2 * axis + 1] &&
-      second[2 * axis] < first[2 * axis + 1];
+    share =
+      share && first[2 * axis] < second[2 * axis + 1] && second[2 * axis] < first[2 * axis + 1];
   }
   return share;
 }
 
-// The box that extents fill without sharing a cell.
-bool FilledBox(const std::vector<Extent>& extents, Extent& box)
+Extent BoxRoundExtents(const std::vector<Extent>& extents)
 {
-  box = extents.front();
+  Extent box = extents.front();
+  for (const Extent& extent : extents)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      box[2 * axis] = std::min(box[2 * axis], extent[2 * axis]);
+      box[2 * axis + 1] = std::max(box[2 * axis + 1], extent[2 * axis + 1]);
+    }
+  }
+  return box;
+}
+
+bool Fill(const std::vector<Extent>& extents, const Extent& box)
+{
   std::int64_t cells = 0;
   for (std::size_t i = 0; i < extents.size(); ++i)
   {
     cells += CellsOf(extents[i]);
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      box[2 * axis] = std::min(box[2 * axis], extents[i][2 * axis]);
-      box[2 * axis + 1] = std::max(box[2 * axis + 1], extents[i][2 * axis + 1]);
-    }
     for (std::size_t j = 0; j < i; ++j)
     {
       if (ShareCells(extents[i], extents[j]))
@@ -107,8 +140,8 @@ bool FilledBox(const std::vector<Extent>& extents, Extent& box)
 }
 
 // Rows of values from the grid of one extent to that of another, which holds it.
-void CopyRows(vtkDataArray* from, const Extent& fromExtent, vtkDataArray* to, const Extent& toExtent,
-  int pointsPerCell)
+void CopyRows(vtkDataArray* from, const Extent& fromExtent, vtkDataArray* to,
+  const Extent& toExtent, int pointsPerCell)
 {
   const auto side = [pointsPerCell](const Extent& extent, int axis)
   { return vtkIdType(extent[2 * axis + 1] - extent[2 * axis] + pointsPerCell); };
@@ -197,6 +230,62 @@ void OwnExtentOf(vtkImageData* image, int own[6])
   }
 }
 
+bool FillBox(const Images& images)
+{
+  std::vector<Extent> extents(images.size());
+  for (std::size_t i = 0; i < images.size(); ++i)
+  {
+    if (!ExtentOnLattice(images.front(), images[i], extents[i]))
+    {
+      return false;
+    }
+  }
+  return !images.empty() && Fill(extents, BoxRoundExtents(extents));
+}
+
+bool AnyOverlap(const Images& images)
+{
+  for (std::size_t i = 0; i < images.size(); ++i)
+  {
+    for (std::size_t j = 0; j < i; ++j)
+    {
+      if (SameDirections(images[i], images[j]) && Overlap(images[i], images[j]))
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+Extent BoxRound(const Images& images, vtkImageData* base)
+{
+  std::vector<Extent> extents(images.size());
+  for (std::size_t i = 0; i < images.size(); ++i)
+  {
+    ExtentOnLattice(base, images[i], extents[i]);
+  }
+  return BoxRoundExtents(extents);
+}
+
+std::size_t SignatureOfArrays(vtkImageData* image)
+{
+  std::size_t signature = 0;
+  for (const int kind : { vtkDataObject::POINT, vtkDataObject::CELL })
+  {
+    vtkDataSetAttributes* attributes = image->GetAttributes(kind);
+    for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
+    {
+      vtkAbstractArray* array = attributes->GetAbstractArray(i);
+      const std::string name = array->GetName() ? array->GetName() : "";
+      signature += std::hash<std::string>{}(name + " " + std::to_string(kind) + " " +
+        std::to_string(array->GetDataType()) + " " +
+        std::to_string(array->GetNumberOfComponents()));
+    }
+  }
+  return signature;
+}
+
 vtkSmartPointer<vtkImageData> PieceOf(vtkImageData* image, const int extent[6])
 {
   vtkSmartPointer<vtkImageData> piece;
@@ -221,16 +310,17 @@ Images Joined(const Images& pieces)
     }
     extents.push_back(extent);
   }
-  Extent box;
-  if (pieces.size() < 2 || !FilledBox(extents, box))
+  if (pieces.size() < 2 || !Fill(extents, BoxRoundExtents(extents)))
   {
     return pieces;
   }
+  Extent box = BoxRoundExtents(extents);
   auto whole = vtkSmartPointer<vtkImageData>::New();
   whole->SetOrigin(pieces.front()->GetOrigin());
   whole->SetSpacing(pieces.front()->GetSpacing());
   whole->SetDirectionMatrix(pieces.front()->GetDirectionMatrix());
   whole->SetExtent(box.data());
+  whole->SetFieldData(pieces.front()->GetFieldData());
   JoinAttributes(pieces, extents, whole, box, vtkDataObject::POINT);
   JoinAttributes(pieces, extents, whole, box, vtkDataObject::CELL);
   return { whole };

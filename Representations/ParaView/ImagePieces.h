@@ -4,6 +4,7 @@
 
 #include "vtkSmartPointer.h"
 
+#include <array>
 #include <vector>
 
 class vtkImageData;
@@ -18,8 +19,26 @@ void OwnExtentOf(vtkImageData* image, int own[6]);
 /// The part of an image in an extent that lies in its own.
 vtkSmartPointer<vtkImageData> PieceOf(vtkImageData* image, const int extent[6]);
 
-/// One image in place of pieces that lie on one lattice, have the same arrays and fill a box without
-/// overlapping; the pieces as they are otherwise. Takes memory for a copy of all.
+/// Points from the first to the last index along each axis.
+using Extent = std::array<int, 6>;
+
+/// Whether the images lie on one lattice and fill a box without sharing a cell, whatever their
+/// values.
+bool FillBox(const Images& images);
+
+/// Whether two images have more than a face in common; of those whose axes have the same
+/// directions.
+bool AnyOverlap(const Images& images);
+
+/// The box round images on one lattice, counted from the origin of another on it.
+Extent BoxRound(const Images& images, vtkImageData* base);
+
+/// Equal for images whose arrays can be joined.
+std::size_t SignatureOfArrays(vtkImageData* image);
+
+/// One image in place of pieces that lie on one lattice, have the same arrays and fill a box
+/// without overlapping, with the first one's field data; the pieces as they are otherwise. Takes
+/// memory for a copy of all.
 Images Joined(const Images& pieces);
 }
 

@@ -1,20 +1,22 @@
-// Moves voxels between ranks, so that each holds what it draws and a layer of neighbours round it.
+// Moves voxels between ranks, so that each holds what it draws and some of its neighbours' round
+// it.
 #ifndef volumebench_RankExchange_h
 #define volumebench_RankExchange_h
 
 #include "ImagePieces.h"
-
-#include "vtkBoundingBox.h"
+#include "RankLayout.h"
 
 class vtkMatrix4x4;
 
 namespace volumebench
 {
-/// The voxels of all ranks' images in this rank's box, with `layers` more on every side where there
-/// are any. To be called by all ranks together; the images have no ghost cells, `boxes` (world) has
-/// one for each rank and may be empty for some. What stays on a rank may share memory with `own`.
-Images ExchangeImages(const Images& own, vtkMatrix4x4* dataToWorld,
-  const std::vector<vtkBoundingBox>& boxes, int layers);
+/// What this rank draws of all ranks' images in the layout, with `layers` voxels more on every side
+/// where there are any, and its share (Bricks/VolumeShare.h) of what they are cut out of: the box
+/// that all images fill together, or each image for itself. To be called by all ranks together; the
+/// images have no ghost cells. Throws SceneError on all of them if images overlap. What stays on a
+/// rank may share memory with `own`.
+Images ExchangeImages(
+  const Images& own, vtkMatrix4x4* dataToWorld, const RankLayout& layout, int layers);
 }
 
 #endif

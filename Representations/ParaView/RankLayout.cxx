@@ -77,7 +77,8 @@ bool HangTogether(const std::vector<vtkBoundingBox>& boxes)
   return rest.empty();
 }
 
-// Whether a plane between two boxes has the eye (w 1) or the direction to it (w 0) on the first's side.
+// Whether a plane between two boxes has the eye (w 1) or the direction to it (w 0) on the first's
+// side.
 bool IsInFront(const vtkBoundingBox& first, const vtkBoundingBox& second, const double eye[4])
 {
   for (int axis = 0; axis < 3; ++axis)
@@ -98,22 +99,27 @@ bool IsInFront(const vtkBoundingBox& first, const vtkBoundingBox& second, const 
   return false;
 }
 
-std::vector<vtkBoundingBox> Slabs(const vtkBoundingBox& whole, std::size_t count)
+int LongestAxis(const vtkBoundingBox& box)
 {
   int longest = 0;
   for (int axis = 1; axis < 3; ++axis)
   {
-    longest = whole.GetLength(axis) > whole.GetLength(longest) ? axis : longest;
+    longest = box.GetLength(axis) > box.GetLength(longest) ? axis : longest;
   }
+  return longest;
+}
+
+std::vector<vtkBoundingBox> Slabs(const vtkBoundingBox& whole, int axis, std::size_t count)
+{
   double bounds[6];
   whole.GetBounds(bounds);
-  const double begin = bounds[2 * longest];
-  const double width = whole.GetLength(longest) / static_cast<double>(count);
+  const double begin = bounds[2 * axis];
+  const double width = whole.GetLength(axis) / static_cast<double>(count);
   std::vector<vtkBoundingBox> slabs;
   for (std::size_t rank = 0; rank < count; ++rank)
   {
-    bounds[2 * longest] = begin + static_cast<double>(rank) * width;
-    bounds[2 * longest + 1] = begin + static_cast<double>(rank + 1) * width;
+    bounds[2 * axis] = begin + static_cast<double>(rank) * width;
+    bounds[2 * axis + 1] = begin + static_cast<double>(rank + 1) * width;
     slabs.emplace_back(bounds);
   }
   return slabs;
@@ -160,7 +166,8 @@ RankLayout LayOutRanks(const RankVolumes& volumes)
   }
   else if (AnyOverlap(all.Boxes) || !HangTogether(all.Boxes))
   {
-    layout.Boxes = Slabs(all.Whole, all.Boxes.size());
+    layout.SlabAxis = LongestAxis(all.Whole);
+    layout.Boxes = Slabs(all.Whole, layout.SlabAxis, all.Boxes.size());
     layout.Moved = true;
   }
   return layout;

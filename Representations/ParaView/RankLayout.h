@@ -16,6 +16,7 @@ struct RankLayout
   std::vector<vtkBoundingBox> Boxes; // of each rank, in the world; do not overlap
   int WithData = 1;                  // ranks that hold any
   bool Moved = false;                // voxels have to change ranks to be in these boxes
+  int SlabAxis = -1;                 // along which the boxes then lie side by side, if they do
 };
 
 /// What a rank has to say about the volumes of a view.
@@ -40,7 +41,8 @@ void ReduceRange(double range[2]);
 /// Whether two of the boxes have more in common than a face, up to rounding.
 bool AnyOverlap(const std::vector<vtkBoundingBox>& boxes);
 
-/// Indices of boxes so that none comes after one that it hides. Boxes that overlap keep their order.
+/// Indices of boxes so that none comes after one that it hides. Boxes that overlap keep their
+/// order.
 std::vector<std::size_t> BackToFront(const std::vector<vtkBoundingBox>& boxes, vtkCamera* camera);
 }
 

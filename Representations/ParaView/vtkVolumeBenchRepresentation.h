@@ -122,6 +122,15 @@ public:
   double GetFullScaleSamples();
   ///@}
 
+  ///@{
+  /**
+   * Asks all ranks of pvbatch what the last still picture took of them: time, voxels with those of
+   * neighbours, and the memory of the process. To be called on all of them.
+   */
+  void AskRanks();
+  const char* GetRanksText();
+  ///@}
+
   /**
    * "Auto" and, once technique opencl is in use, the OpenCL devices of this process's machine:
    * asking for them loads their drivers.
@@ -157,7 +166,7 @@ private:
   void LookAtOrder(vtkPVRenderView* view);
   void SortVolumes(vtkPVRenderView* view);
   void Redeliver(vtkInformation* request, vtkInformation* reply);
-  void CutOffNeighbours(const volumebench::RankLayout& layout);
+  int GetLayers();
   void DrawDefaultArray();
   void SwitchVolumePeelingOff(vtkRenderer* renderer);
   void RestoreVolumePeeling();
@@ -187,8 +196,11 @@ private:
   double WholeBounds[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 }; // of all ranks' data
   volumebench::RankLayout Ranks;
   double SpreadMatrix[16] = {}; // what they are laid out for
+  int SpreadLayers = 0;
   bool Redelivers = false;
   bool RanksInterleave = false; // with all that the view shows
+  std::string RanksRefusal;     // why they cannot be laid out
+  std::string RanksText;
   double OwnRange[2] = { 1.0, 0.0 };     // of the values of the default array
   double DefaultRange[2] = { 1.0, 0.0 }; // of the values of the default array on all ranks
   vtkTimeStamp SpreadTime;

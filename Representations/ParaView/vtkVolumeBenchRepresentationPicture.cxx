@@ -5,8 +5,32 @@
 #include "OpenCl/OpenClDevices.h"
 #include "vtkVolumeBenchMapper.h"
 
+#include "vtkDataObject.h"
 #include "vtkMath.h"
+#include "vtkMultiProcessController.h"
 #include "vtkPVLODVolume.h"
+
+#include <cmath>
+#include <fstream>
+#include <iomanip>
+#include <sstream>
+#include <vector>
+
+#include <unistd.h>
+
+namespace
+{
+// Of this process; 0 where the system does not tell.
+double ResidentMebibytes()
+{
+  constexpr double BytesPerMebibyte = 1024.0 * 1024.0;
+  std::ifstream statistics("/proc/self/statm");
+  double pages = 0.0;
+  double resident = 0.0;
+  statistics >> pages >> resident;
+  return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / BytesPerMebibyte;
+}
+}
 
 // The mapper knows only of pictures that it was asked for.
 bool vtkVolumeBenchRepresentation::IsDrawn()
@@ -34,6 +58,36 @@ double vtkVolumeBenchRepresentation::GetFullScaleSamples()
 double vtkVolumeBenchRepresentation::GetLastFrameMs()
 {
   return this->IsDrawn() ? this->GetMapper()->GetFrameMs() : vtkMath::Nan();
+}
+
+void vtkVolumeBenchRepresentation::AskRanks()
+{
+  constexpr int Numbers = 3;
+  constexpr double KibibytesPerMebibyte = 1024.0;
+  const double voxels = this->Cache ? static_cast<double>(this->Cache->GetActualMemorySize()) : 0.0;
+  const double own[Numbers] = { this->GetLastFrameMs(), voxels / KibibytesPerMebibyte,
+    ResidentMebibytes() };
+  std::vector<double> all(own, own + Numbers);
+  if (!volumebench::IsAlone())
+  {
+    vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
+    all.resize(static_cast<std::size_t>(Numbers) * controller->GetNumberOfProcesses());
+    controller->AllGather(own, all.data(), Numbers);
+  }
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(2);
+  for (std::size_t i = 0; i < all.size(); i += Numbers)
+  {
+    text << (i > 0 ? "\n" : "") << "rank " << i / Numbers << ": ";
+    std::isnan(all[i]) ? text << "draws nothing" : text << all[i] << " ms";
+    text << ", " << all[i + 1] << " MiB of voxels, " << all[i + 2] << " MiB in use";
+  }
+  this->RanksText = text.str();
+}
+
+const char* vtkVolumeBenchRepresentation::GetRanksText()
+{
+  return this->RanksText.c_str();
 }
 
 vtkStringArray* vtkVolumeBenchRepresentation::GetOpenClDevices()

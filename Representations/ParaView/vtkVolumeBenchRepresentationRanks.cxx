@@ -1,13 +1,14 @@
 // The part of vtkVolumeBenchRepresentation that gives each rank what it draws.
 //
-// ParaView blends the ranks' pictures in the order of the boxes round what they hold. So those boxes
-// must be apart, all volumes of a view taken together; where they are not, voxels change ranks. Each
-// rank has a layer of its neighbours' voxels besides, for what is interpolated at the border, and
-// planes that cut the layer off.
+// ParaView blends the ranks' pictures in the order of the boxes round what they hold. So those
+// boxes must be apart, all volumes of a view taken together; where they are not, voxels change
+// ranks. Each rank has layers of its neighbours' voxels besides, which its samples read, and knows
+// its share of the whole.
 #include "vtkVolumeBenchRepresentation.h"
 
 #include "BlockCopies.h"
 #include "RankExchange.h"
+#include "Scene/Scene.h"
 #include "vtkVolumeBenchMapper.h"
 
 #include "vtkImageData.h"
@@ -20,7 +21,6 @@
 #include "vtkPVRenderView.h"
 #include "vtkPVRenderViewDataDeliveryManager.h"
 #include "vtkPartitionedDataSet.h"
-#include "vtkPlane.h"
 #include "vtkPropCollection.h"
 #include "vtkRenderer.h"
 
@@ -134,11 +134,12 @@ void vtkVolumeBenchRepresentation::Spread(
   vtkMatrix4x4* matrix = this->Actor->GetMatrix();
   const bool same = layout.Boxes == this->Ranks.Boxes &&
     std::equal(matrix->GetData(), matrix->GetData() + 16, this->SpreadMatrix) &&
-    this->SpreadTime > this->OwnTime;
+    this->SpreadTime > this->OwnTime && this->SpreadLayers == this->GetLayers();
   if (!AllRanksAgree(same))
   {
     std::copy_n(matrix->GetData(), 16, this->SpreadMatrix);
     this->Ranks = layout;
+    this->SpreadLayers = this->GetLayers();
     this->Cache = this->ExchangedData(layout);
     this->Redeliver(request, reply);
     this->SpreadTime.Modified();
@@ -167,63 +168,53 @@ void vtkVolumeBenchRepresentation::Redeliver(vtkInformation* request, vtkInforma
   this->Redelivers = false;
 }
 
+// Voxels of the neighbours that samples read: two for interpolation and gradients, and half of a
+// step, which belongs to the rank that its middle is on. In powers of two, so that another step
+// seldom moves anything.
+int vtkVolumeBenchRepresentation::GetLayers()
+{
+  constexpr double LongestOfGrades = 8.0; // times the step, with an error target
+  vtkVolumeBenchMapper* mapper = this->GetMapper();
+  const double step =
+    mapper->GetStepVoxels() * (mapper->GetErrorTarget() > 0.0 ? LongestOfGrades : 1.0);
+  int layers = 4;
+  while (layers < std::min(step, 64.0) + 2.0)
+  {
+    layers *= 2;
+  }
+  return layers;
+}
+
 vtkSmartPointer<vtkDataObject> vtkVolumeBenchRepresentation::ExchangedData(
   const volumebench::RankLayout& layout)
 {
-  this->VolumeMapper->RemoveAllClippingPlanes();
-  if (layout.WithData < 2 || !AllRanksAgree(this->OnlyImages))
+  this->RanksRefusal.clear();
+  if (!AllRanksAgree(this->OnlyImages))
   {
-    return this->OwnData;
+    return this->OwnData; // the mapper says what cannot be drawn
   }
-  constexpr int Layers = 1; // for interpolation and central differences
-  volumebench::Images pieces = volumebench::Joined(volumebench::ExchangeImages(
-    this->OwnImages, this->Actor->GetMatrix(), layout.Boxes, Layers));
-  if (!layout.Moved && pieces.size() != 1)
+  try
   {
-    return this->OwnData; // blocks with gaps between them stay as they are
-  }
-  this->CutOffNeighbours(layout);
-  return PartitionsOf(pieces);
-}
-
-// Planes where this rank's box ends and the volume goes on.
-void vtkVolumeBenchRepresentation::CutOffNeighbours(const volumebench::RankLayout& layout)
-{
-  const int rank = vtkMultiProcessController::GetGlobalController()->GetLocalProcessId();
-  const vtkBoundingBox whole = Transformed(this->WholeBounds, this->Actor->GetMatrix());
-  const vtkBoundingBox& box = layout.Boxes[rank];
-  if (!box.IsValid())
-  {
-    return;
-  }
-  constexpr double Rounding = 1e-6; // of the volume's length
-  const double margin = Rounding * whole.GetMaxLength();
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    for (const bool low : { true, false })
+    const volumebench::Images pieces = volumebench::ExchangeImages(
+      this->OwnImages, this->Actor->GetMatrix(), layout, this->SpreadLayers);
+    if (pieces != this->OwnImages)
     {
-      const double end = low ? box.GetMinPoint()[axis] : box.GetMaxPoint()[axis];
-      const bool goesOn = low ? whole.GetMinPoint()[axis] < end - margin
-                              : whole.GetMaxPoint()[axis] > end + margin;
-      if (goesOn)
-      {
-        vtkNew<vtkPlane> plane;
-        double normal[3] = { 0.0, 0.0, 0.0 };
-        normal[axis] = low ? 1.0 : -1.0;
-        plane->SetNormal(normal);
-        plane->SetOrigin(end, end, end);
-        this->VolumeMapper->AddClippingPlane(plane);
-      }
+      return PartitionsOf(pieces);
     }
   }
+  catch (const volumebench::SceneError& error)
+  {
+    this->RanksRefusal = error.what();
+  }
+  return this->OwnData; // in which blocks have names
 }
 
 void vtkVolumeBenchRepresentation::LookAtOrder(vtkPVRenderView* view)
 {
   const auto* manager =
     vtkPVRenderViewDataDeliveryManager::SafeDownCast(view->GetDeliveryManager());
-  this->RanksInterleave = manager && !volumebench::IsAlone() &&
-    volumebench::AnyOverlap(manager->GetCuts());
+  this->RanksInterleave =
+    manager && !volumebench::IsAlone() && volumebench::AnyOverlap(manager->GetCuts());
   this->SortVolumes(view);
 }
 

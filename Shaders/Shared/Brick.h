@@ -31,7 +31,9 @@ FUNC Interval brickInterval(SCENE_PARAM Ray ray)
   interval.end = REAL(1.0e30);
   interval = clipToBrickSlab(interval, ray.origin.x, ray.direction.x, low.x, high.x);
   interval = clipToBrickSlab(interval, ray.origin.y, ray.direction.y, low.y, high.y);
-  return clipToBrickSlab(interval, ray.origin.z, ray.direction.z, low.z, high.z);
+  interval = clipToBrickSlab(interval, ray.origin.z, ray.direction.z, low.z, high.z);
+  return clipToBrickSlab(interval, dot(xyz(scene.shareSlab), ray.origin),
+    dot(xyz(scene.shareSlab), ray.direction), scene.brickLow.w, scene.brickHigh.w);
 }
 
 FUNC StepRange stepsInBrick(SCENE_PARAM Ray ray, Interval interval, int count)

@@ -23,8 +23,11 @@ SCENE_BLOCK_BEGIN
   vec4 rectangle;       // x, y: lower left pixel of all that the box covers, to which textures of
                         // a technique's own are relative; z, w: its size
   vec4 boxHalf;         // xyz: half the size of the box in voxels
+  vec4 heldLow;         // xyz: lowest corner of the part of the box whose voxels this process has
   vec4 occupiedLow;     // xyz: lowest corner of the box round all that can be seen, in voxels
   vec4 occupiedHigh;    // xyz: its highest corner
+  vec4 shareSlab;       // xyz: what is drawn lies where this times a place, in voxels, is between the
+                        // w of the next two
   vec4 brickLow;        // xyz: lowest corner of the brick that is drawn, in voxels
   vec4 brickHigh;       // xyz: its highest corner
   vec4 cells;           // xyz: the last macrocell of each axis; w: macrocells per voxel

@@ -106,7 +106,7 @@ FUNC real unitsPerCellOf(real direction)
 FUNC CellRay cellRayOf(SCENE_PARAM Ray ray)
 {
   CellRay cells;
-  cells.origin = scene.cells.w * (ray.origin + xyz(scene.boxHalf));
+  cells.origin = scene.cells.w * (ray.origin - xyz(scene.heldLow));
   cells.direction = scene.cells.w * ray.direction;
   cells.unitsPerCell = VEC3(unitsPerCellOf(cells.direction.x), unitsPerCellOf(cells.direction.y),
     unitsPerCellOf(cells.direction.z));

@@ -39,7 +39,9 @@ MRI_FILE = Path("/usr/share/mricron/templates/ch2.nii.gz")
 MRI_SIZE = (181, 217, 181)
 SAME_PICTURE = 0.01
 SCENES = ("wavelet", "blocks", "volume")
-MPI = ["mpirun", "--allow-run-as-root", "--oversubscribe", "-np", "2"]
+# Ranks that wait leave the processor to those that draw.
+YIELD = ["--mca", "mpi_yield_when_idle", "1"]
+MPI = ["mpirun", "--allow-run-as-root", "--oversubscribe", *YIELD, "-np", "2"]
 
 
 def check_client_and_server() -> None:

@@ -38,7 +38,7 @@ field = lambda x, y, z: (150 + 60 * np.sin(0.35 * x) * np.cos(0.3 * y) + 50 * np
 blocks = []
 for place in {held}:
     image = vtkImageData()
-    first = 10 * place
+    first = int(10 * place)
     image.SetExtent(first, first + 10, 0, 16, 0, 16)
     z, y, x = np.meshgrid(np.arange(17), np.arange(17), np.arange(first, first + 11), indexing="ij")
     values = field(x, y, z).astype(np.float32).ravel()
@@ -211,6 +211,12 @@ def interleaved_blocks(view: Any) -> None:
     look(view, 60, 20)
 
 
+def overlapping_blocks(view: Any) -> None:
+    """Refused: what both ranks hold would be drawn twice."""
+    show_volume(view, blocks_held("[p for p in (0, 0.5) if rank == (p > 0) * (ranks - 1)]"))
+    look(view)
+
+
 def one_rank_has_all(view: Any) -> None:
     show_volume(view, blocks_held("range(4) if rank == ranks - 1 else []"))
     look(view, 60, 20)
@@ -274,15 +280,24 @@ def scenes() -> dict[str, Callable[[Any], None]]:
     return table
 
 
-def save_all(folder: Path, only: list[str]) -> None:
-    for name, draw in scenes().items():
-        if only and name not in only:
-            continue
+def save_all(folder: Path, names: list[str]) -> None:
+    for name in names:
+        draw = scenes().get(name, overlapping_blocks)
         view = new_view()
         draw(view)
         path = str(folder / f"{name}.png")
         simple.SaveScreenshot(path, view, ImageResolution=list(SIZE))
+        write_what_ranks_took(folder / f"{name}.txt", view)
         simple.ResetSession()
+
+
+def write_what_ranks_took(path: Path, view: Any) -> None:
+    """Write the row of the panel that tells of every rank."""
+    simple.Render(view)
+    display = view.Representations[0]
+    display.SMProxy.InvokeCommand("AskRanks")
+    display.UpdatePropertyInformation()
+    path.write_text(display.GetProperty("RanksText").GetData() or "", encoding="utf-8")
 
 
 if __name__ == "__main__":

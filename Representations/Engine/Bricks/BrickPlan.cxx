@@ -6,6 +6,7 @@
 
 #include <glm/common.hpp>
 #include <glm/matrix.hpp>
+#include <glm/vector_relational.hpp>
 
 #include <algorithm>
 #include <array>
@@ -205,6 +206,11 @@ Brick BrickAt(const Scene& scene, const Division& division, const glm::ivec3& in
     const bool last = index[axis] + 1 == division.Counts[axis];
     brick.Low[axis] = first ? -Endless : division.Border(axis, index[axis]) - middle;
     brick.High[axis] = last ? Endless : division.Border(axis, index[axis] + 1) - middle;
+    if (scene.Share)
+    {
+      brick.Low[axis] = std::max(brick.Low[axis], scene.Share->Low[axis]);
+      brick.High[axis] = std::min(brick.High[axis], scene.Share->High[axis]);
+    }
     ExtendStamp(brick.Stamp, brick.Texels.First[axis]);
     ExtendStamp(brick.Stamp, brick.Texels.Size[axis]);
   }
@@ -244,7 +250,8 @@ std::vector<Brick> FrontToBack(const Scene& scene, const Division& division)
       {
         const glm::ivec3 away = glm::abs(glm::ivec3(x, y, z) - nearest);
         Brick brick = BrickAt(scene, division, { x, y, z });
-        if (FindSeen(scene, brick))
+        const bool empty = glm::any(glm::greaterThanEqual(brick.Low, brick.High));
+        if (!empty && FindSeen(scene, brick))
         {
           ranked.emplace_back(away.x + away.y + away.z, brick);
         }
@@ -278,7 +285,7 @@ void DivideIntoBricks(Scene& scene, const VolumeRoom& room)
   const Division division = Divide(scene, room, budget);
   scene.Bricks = nullptr;
   scene.BrickBytes = budget;
-  if (division.Counts != glm::ivec3(1))
+  if (scene.Share || division.Counts != glm::ivec3(1))
   {
     scene.Bricks = std::make_shared<const std::vector<Brick>>(FrontToBack(scene, division));
   }

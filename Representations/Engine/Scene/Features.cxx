@@ -3,6 +3,7 @@
 #include "Scene/HomogeneousCells.h"
 #include "Scene/StepLengths.h"
 
+#include "Scene/Boxes.h"
 #include "Scene/CellMap.h"
 
 #include <glm/geometric.hpp>
@@ -353,7 +354,7 @@ bool IsTransparent(const Scene& scene)
 double LongestRaySteps(const Scene& scene)
 {
   const double moved = scene.Sampling.Jitter ? 1.0 : 0.0;
-  return 2.0 * glm::length(scene.Volume.BoxHalf) / scene.Sampling.StepVoxels + moved;
+  return 2.0 * glm::length(WholeBoxOf(scene).Half()) / scene.Sampling.StepVoxels + moved;
 }
 
 double FullScaleSamples(const Scene& scene)

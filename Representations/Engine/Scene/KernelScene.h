@@ -22,7 +22,7 @@ using SceneBlock64 = SceneBlockOf<glm::dvec4>;
 
 constexpr int LightLimit = LIGHT_LIMIT;
 constexpr int ClipPlaneLimit = CLIP_PLANE_LIMIT;
-constexpr std::size_t SceneBlockVectors = 51 + 2 * LIGHT_LIMIT + CLIP_PLANE_LIMIT;
+constexpr std::size_t SceneBlockVectors = 53 + 2 * LIGHT_LIMIT + CLIP_PLANE_LIMIT;
 
 // The kernels read the block as std140: a plain run of vec4.
 static_assert(sizeof(SceneBlock) == SceneBlockVectors * sizeof(glm::vec4), "padding in SceneBlock");

@@ -1,8 +1,10 @@
 #include "Scene/PackScene.h"
 
+#include "Scene/Boxes.h"
 #include "Scene/CellMap.h"
 #include "Scene/Features.h"
 
+#include <glm/ext/matrix_transform.hpp>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
@@ -224,44 +226,30 @@ void PackExtremes(const Scene& scene, SceneBlock64& block)
     1.0 / FullScaleSamples(scene) };
 }
 
-struct SeenBox
-{
-  glm::dvec3 Low;
-  glm::dvec3 High;
-};
-
-// Round all that can be seen of what is drawn, in voxels.
-SeenBox SeenBoxOf(const Scene& scene)
-{
-  if (scene.Brick)
-  {
-    return { scene.Brick->SeenLow, scene.Brick->SeenHigh };
-  }
-  const CellMap* cells = scene.Skipping.Cells.get();
-  return cells ? SeenBox{ cells->OccupiedLow, cells->OccupiedHigh }
-               : SeenBox{ -scene.Volume.BoxHalf, scene.Volume.BoxHalf };
-}
-
 // Texels are at whole numbers and a half of those that the device holds.
-void PackTexture(const Volume& volume, SceneBlock64& block)
+void PackTexture(const Volume& volume, const glm::dvec3& origin, SceneBlock64& block)
 {
   const TexelBox held = volume.Held();
   const glm::dvec3 size(held.Size);
-  const glm::dvec3 middle = 0.5 * glm::dvec3(volume.Texels) - glm::dvec3(held.First);
+  const glm::dvec3 middle = 0.5 * glm::dvec3(volume.Texels) - glm::dvec3(held.First) + origin;
   block.textureScale = { 1.0 / size, 0.0 };
   block.textureOffset = { middle / size, 0.0 };
   block.textureSize = { size, 0.0 };
 }
 
-void PackSkipping(const Scene& scene, SceneBlock64& block)
+void PackSkipping(const Scene& scene, const glm::dvec3& origin, SceneBlock64& block)
 {
-  const SeenBox seen = SeenBoxOf(scene);
-  block.occupiedLow = { seen.Low, 0.0 };
-  block.occupiedHigh = { seen.High, 0.0 };
+  const VoxelBox seen = SeenBoxOf(scene);
+  block.occupiedLow = { seen.Low - origin, 0.0 };
+  block.occupiedHigh = { seen.High - origin, 0.0 };
+  block.heldLow = { -scene.Volume.BoxHalf - origin, 0.0 };
   if (scene.Brick)
   {
-    block.brickLow = { scene.Brick->Low, 0.0 };
-    block.brickHigh = { scene.Brick->High, 0.0 };
+    const Share share = scene.Share.value_or(Share{ {}, {}, {}, {}, {}, -1.0, 1.0 });
+    const double along = glm::dot(share.SlabNormal, origin);
+    block.brickLow = { scene.Brick->Low - origin, share.SlabLow - along };
+    block.brickHigh = { scene.Brick->High - origin, share.SlabHigh - along };
+    block.shareSlab = { share.SlabNormal, 0.0 };
   }
   if (const CellMap* cells = scene.Skipping.Cells.get())
   {
@@ -292,16 +280,18 @@ void PackGradientOpacity(const Scene& scene, SceneBlock64& block)
 }
 }
 
-SceneBlock64 PackScene(const Scene& scene)
+namespace
+{
+// `origin` is where the scene's matrices count voxels from, relative to the middle of those held.
+SceneBlock64 PackFrom(const Scene& scene, const glm::dvec3& origin)
 {
   SceneBlock64 block = {};
   const Volume& volume = scene.Volume;
   const glm::dmat4 voxelToView = scene.Camera.WorldToView * volume.VoxelToWorld;
   PackRays(scene, voxelToView, block);
   PackProjection(scene.Camera, block);
-  block.rectangle = glm::dvec4(BoxRectangle(scene));
-  block.boxHalf = { volume.BoxHalf, 0.0 };
-  PackTexture(volume, block);
+  block.boxHalf = { WholeBoxOf(scene).Half(), 0.0 };
+  PackTexture(volume, origin, block);
   PackWorld(volume, block);
   const glm::dmat4 voxelToClip = scene.Camera.ViewToClip * voxelToView;
   block.clipX = Row(voxelToClip, 0);
@@ -313,11 +303,34 @@ SceneBlock64 PackScene(const Scene& scene)
   PackTable(scene, block);
   PackExtremes(scene, block);
   PackGradientOpacity(scene, block);
-  PackSkipping(scene, block);
+  PackSkipping(scene, origin, block);
   block.sampling = { KernelStepVoxels(scene), 1.0 - scene.Sampling.TerminationThreshold,
     scene.TransferFunction.UnitDistance,
     scene.Sampling.Jitter ? static_cast<double>(scene.Sampling.JitterSeed) : 0.0 };
   PackLighting(scene, block);
+  return block;
+}
+}
+
+// Processes that draw shares of a volume count from the middle of all of it, so that they find the
+// same numbers for a ray, to the last bit, and each of its steps is drawn by one of them.
+SceneBlock64 PackScene(const Scene& scene)
+{
+  SceneBlock64 block;
+  if (scene.Share)
+  {
+    const glm::dvec3 origin = WholeBoxOf(scene).Middle();
+    const glm::dmat4 moved = glm::translate(glm::dmat4(1.0), origin);
+    Scene whole = scene;
+    whole.Volume.VoxelToData = scene.Volume.VoxelToData * moved;
+    whole.Volume.VoxelToWorld = scene.Volume.VoxelToWorld * moved;
+    block = PackFrom(whole, origin);
+  }
+  else
+  {
+    block = PackFrom(scene, glm::dvec3(0.0));
+  }
+  block.rectangle = glm::dvec4(BoxRectangle(scene));
   return block;
 }
 
@@ -331,46 +344,5 @@ SceneBlock RoundToFloat(const SceneBlock64& block)
     source, source + SceneBlockVectors, target, [](const glm::dvec4& v) { return glm::vec4(v); });
   std::memcpy(&rounded, target, sizeof(rounded));
   return rounded;
-}
-
-namespace
-{
-// The pixels that a part of the volume's box may cover; corners in voxels.
-glm::ivec4 RectangleOf(const Scene& scene, const glm::dvec3& lowest, const glm::dvec3& highest)
-{
-  const glm::dmat4 voxelToView = scene.Camera.WorldToView * scene.Volume.VoxelToWorld;
-  const glm::ivec4& viewport = scene.Camera.Viewport;
-  glm::dvec2 low(1.0);
-  glm::dvec2 high(-1.0);
-  for (int corner = 0; corner < 8; ++corner)
-  {
-    const glm::dvec3 side(corner & 1, (corner >> 1) & 1, corner >> 2);
-    const glm::dvec4 view = voxelToView * glm::dvec4(glm::mix(lowest, highest, side), 1.0);
-    if (-view.z <= scene.Camera.NearDepth && !scene.Camera.Parallel)
-    {
-      return viewport;
-    }
-    const glm::dvec4 clip = scene.Camera.ViewToClip * view;
-    low = glm::min(low, glm::dvec2(clip) / clip.w);
-    high = glm::max(high, glm::dvec2(clip) / clip.w);
-  }
-  const glm::dvec2 size(viewport.z, viewport.w);
-  const glm::dvec2 begin = glm::floor((glm::clamp(low, -1.0, 1.0) * 0.5 + 0.5) * size);
-  const glm::dvec2 end = glm::ceil((glm::clamp(high, -1.0, 1.0) * 0.5 + 0.5) * size);
-  return { viewport.x + static_cast<int>(begin.x), viewport.y + static_cast<int>(begin.y),
-    std::max(0, static_cast<int>(end.x - begin.x)),
-    std::max(0, static_cast<int>(end.y - begin.y)) };
-}
-}
-
-glm::ivec4 ScreenRectangle(const Scene& scene)
-{
-  const SeenBox seen = SeenBoxOf(scene);
-  return RectangleOf(scene, seen.Low, seen.High);
-}
-
-glm::ivec4 BoxRectangle(const Scene& scene)
-{
-  return RectangleOf(scene, -scene.Volume.BoxHalf, scene.Volume.BoxHalf);
 }
 }

@@ -319,11 +319,27 @@ struct Skipping
 struct Brick
 {
   TexelBox Texels;
-  glm::dvec3 Low{ 0.0 }; // it is between these; without end where the volume ends
+  glm::dvec3 Low{ 0.0 }; // it is between these; far away where the volume ends
   glm::dvec3 High{ 0.0 };
+  glm::dvec3 SlabNormal{ 0.0 }; // and where this times the place is between the next two
+  double SlabLow = 0.0;
+  double SlabHigh = 0.0;
   glm::dvec3 SeenLow{ 0.0 }; // box round all of it that can be seen
   glm::dvec3 SeenHigh{ 0.0 };
   ChangeStamp Stamp = 0; // of its texels
+};
+
+/// What this process draws of a volume of which others draw the rest, so that samples lie where
+/// those of the whole would. Corners are in voxels from the middle of what it holds.
+struct Share
+{
+  glm::dvec3 WholeLow{ 0.0 };
+  glm::dvec3 WholeHigh{ 0.0 };
+  glm::dvec3 Low{ 0.0 }; // it is between these; far away where the volume ends
+  glm::dvec3 High{ 0.0 };
+  glm::dvec3 SlabNormal{ 0.0 }; // and where this times the place is between the next two
+  double SlabLow = 0.0;
+  double SlabHigh = 0.0;
 };
 
 struct Scene
@@ -341,6 +357,7 @@ struct Scene
   /// Front to back, without those that show nothing. Null: the volume is drawn at once.
   std::shared_ptr<const std::vector<volumebench::Brick>> Bricks;
   std::optional<volumebench::Brick> Brick;                     // that is drawn now
+  std::optional<volumebench::Share> Share;                     // empty: all is drawn
   double BrickBytes = std::numeric_limits<double>::infinity(); // that bricks may take together
 };
 

@@ -1,5 +1,7 @@
 #include "Scene/SceneBuilder.h"
 
+#include "Bricks/VolumeShare.h"
+
 #include "Scene/CameraBuilder.h"
 #include "Scene/CellMap.h"
 #include "Scene/CheckScene.h"
@@ -381,6 +383,7 @@ Scene SceneBuilder::Build(vtkVolumeBenchMapper* mapper, vtkRenderer* renderer, v
   scene.Lighting = BuildLighting(renderer, property);
   scene.Lighting.Damping = mapper->GetLightingDamping();
   scene.Clip = BuildClip(mapper, renderer);
+  scene.Share = ShareOf(image, scene.Volume);
   scene.Sampling.StepsMayVary = target.StepsMayVary;
   this->BuildTable(property, scene, target.LargestTable);
   this->Choice.Choose(this->Cells, scene);

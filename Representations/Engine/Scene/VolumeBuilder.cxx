@@ -1,3 +1,4 @@
+#include "Bricks/VolumeShare.h"
 #include "Scene/VolumeBuilder.h"
 
 #include "Scene/CheckScene.h"
@@ -225,6 +226,8 @@ void VolumeBuilder::AddStatistics(Volume& volume, vtkImageData* image)
   volume.FiniteRange[1] = found.Opacity.High;
   volume.ColorRange[0] = found.Color.Low;
   volume.ColorRange[1] = found.Color.High;
+  WidenToAll(image, volume.Scalars, volume.Component, volume.FiniteRange);
+  WidenToAll(image, volume.Scalars, 0, volume.ColorRange);
   volume.HasNonFinite = !found.AllFinite;
   volume.PointGhosts = found.HiddenPoints ? image->GetPointGhostArray() : nullptr;
   volume.CellGhosts = found.HiddenCells ? image->GetCellGhostArray() : nullptr;

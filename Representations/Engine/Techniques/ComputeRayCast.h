@@ -13,6 +13,7 @@ class ComputeRayCast : public OpenGlTechnique
 {
 public:
   bool StepsMayVary() const override { return true; }
+  bool DrawsShares() const override { return true; }
   std::string WhyUnsupported(vtkOpenGLRenderWindow* window) const override;
 
 protected:

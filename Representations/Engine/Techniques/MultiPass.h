@@ -11,6 +11,7 @@ class MultiPass : public OpenGlTechnique
 {
 public:
   bool StepsMayVary() const override { return true; }
+  bool DrawsShares() const override { return true; }
 
 protected:
   FeatureSet FeaturesFor(const Scene& scene) const override;

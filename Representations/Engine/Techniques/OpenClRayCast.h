@@ -23,6 +23,7 @@ public:
   /// The device of "Auto".
   std::string GetDeviceName() const override;
   SetUpCosts GetSetUpCosts() const override;
+  bool DrawsShares() const override { return true; }
   std::optional<VolumeRoom> RoomFor(const Scene& scene) const override;
 
 protected:

@@ -11,6 +11,7 @@ class SinglePass : public OpenGlTechnique
 {
 public:
   bool StepsMayVary() const override { return true; }
+  bool DrawsShares() const override { return true; }
 
 protected:
   void Compile(const Scene& scene) override;

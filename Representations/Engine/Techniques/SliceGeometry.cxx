@@ -1,5 +1,6 @@
 #include "Techniques/SliceGeometry.h"
 
+#include "Scene/Boxes.h"
 #include "Scene/Features.h"
 #include "Scene/NumberText.h"
 
@@ -27,20 +28,21 @@ glm::dvec3 CornerOf(const glm::dvec3& half, int corner)
 }
 
 // Depths relative to the reference plane.
-Range VertexDepths(const SliceView& view)
+Range VertexDepths(const VoxelBox& box, const SliceView& view)
 {
-  const double reach = glm::dot(glm::abs(view.DepthGradient), view.BoxHalf);
-  return { view.MiddleDepth - reach, view.MiddleDepth + reach };
+  const double middle = view.MiddleDepth + glm::dot(view.DepthGradient, box.Middle());
+  const double reach = glm::dot(glm::abs(view.DepthGradient), box.Half());
+  return { middle - reach, middle + reach };
 }
 
-Range VertexDistances(const Scene& scene, double referenceDepth)
+Range VertexDistances(const VoxelBox& box, const Scene& scene, double referenceDepth)
 {
   const glm::dmat4 voxelToView = scene.Camera.WorldToView * scene.Volume.VoxelToWorld;
   Range range{ 1.0e300, -1.0e300 };
   for (int corner = 0; corner < 8; ++corner)
   {
     const glm::dvec3 at =
-      glm::dvec3(voxelToView * glm::dvec4(CornerOf(scene.Volume.BoxHalf, corner), 1.0));
+      glm::dvec3(voxelToView * glm::dvec4(box.Middle() + CornerOf(box.Half(), corner), 1.0));
     const double distance = glm::length(at) - referenceDepth;
     range = { std::min(range.Low, distance), std::max(range.High, distance) };
   }
@@ -52,17 +54,17 @@ glm::dvec3 Xyz(const glm::dvec4& v)
   return { v.x, v.y, v.z };
 }
 
-Range CentralRay(const SliceView& view, const SceneBlock64& block)
+Range CentralRay(const VoxelBox& box, const SliceView& view, const SceneBlock64& block)
 {
-  const glm::dvec3 origin = Xyz(block.rayOrigin);
+  const glm::dvec3 origin = box.Middle() + Xyz(block.rayOrigin);
   const glm::dvec3 direction = glm::normalize(Xyz(block.rayDirection));
   const double depthPerVoxel = glm::dot(view.DepthGradient, direction);
   Range along{ -1.0e300, 1.0e300 };
   for (int axis = 0; axis < 3; ++axis)
   {
     const double bend = std::abs(direction[axis]) < 1.0e-12 ? 1.0e-12 : direction[axis];
-    const double first = (-view.BoxHalf[axis] - origin[axis]) / bend;
-    const double second = (view.BoxHalf[axis] - origin[axis]) / bend;
+    const double first = (box.Low[axis] - origin[axis]) / bend;
+    const double second = (box.High[axis] - origin[axis]) / bend;
     along.Low = std::max(along.Low, std::min(first, second));
     along.High = std::min(along.High, std::max(first, second));
   }
@@ -89,15 +91,16 @@ double DepthPerStep(
 
 Range ExtentOf(const Scene& scene, const SliceView& view, const SceneBlock64& block)
 {
-  const Range whole = VertexDepths(view);
+  const VoxelBox box = WholeBoxOf(scene);
+  const Range whole = VertexDepths(box, view);
   Range range = whole;
   if (scene.Sampling.Slices.Extent == SliceExtent::VertexDistance && !scene.Camera.Parallel)
   {
-    range = VertexDistances(scene, block.viewDepth.w);
+    range = VertexDistances(box, scene, block.viewDepth.w);
   }
   if (scene.Sampling.Slices.Extent == SliceExtent::CentralRay)
   {
-    range = CentralRay(view, block);
+    range = CentralRay(box, view, block);
   }
   return range.High > range.Low ? range : whole;
 }
@@ -107,7 +110,7 @@ SlabSeries MakeSeries(
 {
   const double reference = block.viewDepth.w;
   const Range extent = ExtentOf(scene, view, block);
-  const Range whole = VertexDepths(view);
+  const Range whole = VertexDepths(WholeBoxOf(scene), view);
   const Range seen{ std::max(whole.Low, scene.Camera.NearDepth - reference),
     std::min(whole.High, scene.Camera.FarDepth - reference) };
   const double wanted = DepthPerStep(scene, view, block, rectangle);
@@ -149,7 +152,9 @@ SliceView MakeSliceView(const Scene& scene, const SceneBlock64& block, const glm
     scene.Camera.ViewToClip * (scene.Camera.WorldToView * scene.Volume.VoxelToWorld);
   view.BoxHalf = scene.Volume.BoxHalf;
   view.DepthGradient = Xyz(block.viewDepth);
-  view.MiddleDepth = -glm::dot(view.DepthGradient, Xyz(block.rayOrigin));
+  // The block counts voxels from the middle of the whole.
+  view.MiddleDepth =
+    -glm::dot(view.DepthGradient, WholeBoxOf(scene).Middle() + Xyz(block.rayOrigin));
   constexpr double MarginPixels = 1.0 / 64.0;
   view.PixelMargin = MarginPixels * glm::dvec2(block.viewport.z, block.viewport.w);
   view.Slabs = MakeSeries(scene, view, block, rectangle);

@@ -220,13 +220,13 @@ void AddRectangle(const TileView& view, const glm::ivec2& low, const glm::ivec2&
 }
 
 // The corners of some slabs and how many each has.
-struct Share
+struct ThreadShare
 {
   std::vector<SliceCorner> Corners;
   std::vector<int> Counts;
 };
 
-Share CoverSlabs(const TileView& view, const std::vector<Footprint>& footprints,
+ThreadShare CoverSlabs(const TileView& view, const std::vector<Footprint>& footprints,
   const glm::ivec2& tiles, const SlabRange& range)
 {
   std::vector<TileMask> masks(range.Count, TileMask(tiles));
@@ -239,7 +239,7 @@ Share CoverSlabs(const TileView& view, const std::vector<Footprint>& footprints,
       masks[slab - range.First].Mark(footprint.LowTile, footprint.HighTile);
     }
   }
-  Share share;
+  ThreadShare share;
   for (int i = 0; i < range.Count; ++i)
   {
     const std::size_t before = share.Corners.size();
@@ -256,7 +256,7 @@ void SliceTiles::Cover(
 {
   const Projection projection(view, cells);
   const std::vector<Footprint> footprints = projection.OccupiedFootprints();
-  std::vector<Share> shares(std::max(1, threads));
+  std::vector<ThreadShare> shares(std::max(1, threads));
   const int count = static_cast<int>(shares.size());
   const auto work = [&](int thread)
   {
@@ -277,7 +277,7 @@ void SliceTiles::Cover(
   }
   this->Corners.clear();
   this->Firsts.assign(1, 0);
-  for (const Share& share : shares)
+  for (const ThreadShare& share : shares)
   {
     this->Corners.insert(this->Corners.end(), share.Corners.begin(), share.Corners.end());
     for (const int corners : share.Counts)

@@ -13,6 +13,9 @@ namespace volumebench
 {
 class Slices : public OpenGlTechnique
 {
+public:
+  bool DrawsShares() const override { return true; }
+
 protected:
   FeatureSet FeaturesFor(const Scene& scene) const override;
   FeatureSet HostFeaturesFor(const Scene& scene) const override;

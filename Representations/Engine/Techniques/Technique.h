@@ -55,6 +55,9 @@ public:
   /// Whether its steps may have different lengths, as the cells of a graded CellMap say.
   virtual bool StepsMayVary() const { return false; }
 
+  /// Whether its samples count from where rays enter the volume, so that it can draw a share of one.
+  virtual bool DrawsShares() const { return false; }
+
   /// What its device has room for of the scene's volume, which is divided into bricks where that is
   /// less; nothing for a technique that reads the volume where it is. The context is current.
   virtual std::optional<VolumeRoom> RoomFor(const Scene&) const { return {}; }
