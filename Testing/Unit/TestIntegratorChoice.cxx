@@ -140,6 +140,13 @@ TEST(IntegratorChoice, IsSegmentWhereJitterMovesSamplesOutOfTheMiddle)
   EXPECT_EQ(ChosenFor(scene), Integrator::Segment);
 }
 
+TEST(IntegratorChoice, IsTheSameOnAllRanksOfAVolumeThatTheyShare)
+{
+  Scene scene = SceneOf(Ramp, Hazy());
+  scene.Share.emplace();
+  EXPECT_EQ(ChosenFor(scene), Integrator::Segment);
+}
+
 TEST(IntegratorChoice, DoesNotDependOnTheSizeOfMacrocells)
 {
   for (int i = 0; i < 40; ++i)

@@ -72,7 +72,9 @@ bool MidpointSuffices(MacrocellCache& cells, const Scene& scene)
     return true; // there is nothing between two values
   }
   // Jitter moves Midpoint's samples out of the middle, which makes it an integrator of first order.
-  if (scene.Sampling.Jitter || scene.Volume.Channels > 1 || HidesPeaks(scene.TransferFunction))
+  // Of a volume that several ranks share, each would judge its own part.
+  if (scene.Sampling.Jitter || scene.Share || scene.Volume.Channels > 1 ||
+    HidesPeaks(scene.TransferFunction))
   {
     return false;
   }
@@ -95,6 +97,7 @@ ChangeStamp StampOf(const Scene& scene)
   ExtendStamp(stamp, scene.Volume.Nearest);
   ExtendStamp(stamp, scene.Compositing.Mode);
   ExtendStamp(stamp, scene.Sampling.Jitter);
+  ExtendStamp(stamp, scene.Share.has_value());
   ExtendStamp(stamp, scene.Sampling.StepVoxels);
   Scene midpoint = scene;
   midpoint.Sampling.Integration = Integrator::Midpoint;
