@@ -22,7 +22,8 @@ public:
   /// Replaces Automatic by Midpoint or Segment, for a scene whose volume, transfer function without
   /// integrals and all else are built. Steps that are all alike have Midpoint where its error is
   /// expected to be at most SufficientError or about that of Segment. With an error target, which
-  /// both keep, the cheaper one is taken.
+  /// both keep, the cheaper one is taken. Jitter, several components and volumes that ranks share
+  /// have Segment without being judged.
   void Choose(MacrocellCache& cells, Scene& scene);
 
   /// Milliseconds that choosing took since the last call, with macrocells that were new to it.
