@@ -1,6 +1,7 @@
 // A volume that the device does not take at once: its picture in bricks is that of the whole.
 #include "ConformanceScene.h"
 #include "EveryTechnique.h"
+#include "SceneChanges.h"
 
 #include "Error/ImageError.h"
 #include "Techniques/Technique.h"
@@ -42,7 +43,7 @@ vtkSmartPointer<vtkImageData> HillsWithHoles()
 struct Variation
 {
   std::string Name;
-  std::function<void(RenderScene&)> Arrange;
+  SceneChange Arrange;
   std::function<vtkSmartPointer<vtkImageData>()> Image = []
   { return MakeImage(Dims[0], Dims[1], Dims[2], TwoHills, VTK_FLOAT); };
   double Most = 1e-4; // by which a channel of a pixel may differ
@@ -50,27 +51,13 @@ struct Variation
 
 Variation WithIntegrator(int integrator, double step, bool jitter)
 {
-  return { "integrator " + std::to_string(integrator) + (jitter ? " with jitter" : ""),
-    [=](RenderScene& scene)
-    {
-      scene.Mapper->SetIntegrator(integrator);
-      scene.Mapper->SetStepVoxels(step);
-      scene.Mapper->SetJitter(jitter);
-    } };
+  return { IntegratorText(integrator, jitter), SampledBy(integrator, step, jitter) };
 }
 
 Variation WithBlendMode(int mode)
 {
   return { "blend mode " + std::to_string(mode),
     [=](RenderScene& scene) { scene.Mapper->SetBlendMode(mode); } };
-}
-
-void LookFromInside(RenderScene& scene)
-{
-  vtkCamera* camera = scene.Renderer->GetActiveCamera();
-  camera->SetPosition(20.0, 18.0, 20.0);
-  camera->SetFocalPoint(48.0, 30.0, 8.0);
-  scene.Renderer->ResetCameraClippingRange();
 }
 
 // Rays of pixels along a face of two bricks: texel 24 begins there, half a voxel before its middle.
@@ -80,15 +67,6 @@ void LookAlongAFace(RenderScene& scene)
   scene.Renderer->GetActiveCamera()->SetFocalPoint(23.75, 19.75, 16.0);
   scene.Renderer->GetActiveCamera()->SetPosition(23.75, 19.75, 90.0);
   scene.Renderer->ResetCameraClippingRange();
-}
-
-void Light(RenderScene& scene)
-{
-  scene.Volume->GetProperty()->ShadeOn();
-  vtkNew<vtkPiecewiseFunction> gradient;
-  gradient->AddPoint(0.0, 0.2);
-  gradient->AddPoint(0.2, 1.0);
-  scene.Volume->GetProperty()->SetGradientOpacity(gradient);
 }
 
 void HideByASphere(RenderScene& scene)
@@ -138,8 +116,8 @@ std::vector<Variation> SamplingVariations()
 
 std::vector<Variation> SceneVariations()
 {
-  return { { "from inside", LookFromInside }, { "along a face", LookAlongAFace }, { "lit", Light },
-    { "hidden", HideByASphere }, { "cut", CutAndCrop },
+  return { { "from inside", LookFromInside }, { "along a face", LookAlongAFace },
+    { "lit", ShadeByGradients }, { "hidden", HideByASphere }, { "cut", CutAndCrop },
     { "NaN", [](RenderScene& scene) { scene.Mapper->SetIntegrator(2); }, HillsWithHoles },
     { "cells",
       [](RenderScene& scene) { scene.Volume->GetProperty()->SetInterpolationTypeToNearest(); },

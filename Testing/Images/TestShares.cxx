@@ -2,6 +2,7 @@
 // that of the whole.
 #include "ConformanceScene.h"
 #include "EveryTechnique.h"
+#include "SceneChanges.h"
 
 #include "Bricks/VolumeShare.h"
 #include "Error/FloatPicture.h"
@@ -85,7 +86,7 @@ double Apart(const FloatPicture& a, const FloatPicture& b)
 struct Variation
 {
   std::string Name;
-  std::function<void(RenderScene&)> Arrange;
+  SceneChange Arrange;
   bool Steep = false;
 
   // By which a channel of a pixel may differ. Where opacity is steep it is that much for the
@@ -110,13 +111,7 @@ vtkSmartPointer<vtkVolumeProperty> PropertyOf(const Variation& variation)
 
 Variation WithIntegrator(int integrator, double step, bool jitter)
 {
-  return { "integrator " + std::to_string(integrator) + (jitter ? " with jitter" : ""),
-    [=](RenderScene& scene)
-    {
-      scene.Mapper->SetIntegrator(integrator);
-      scene.Mapper->SetStepVoxels(step);
-      scene.Mapper->SetJitter(jitter);
-    } };
+  return { IntegratorText(integrator, jitter), SampledBy(integrator, step, jitter) };
 }
 
 Variation Steep(Variation variation)
@@ -126,28 +121,12 @@ Variation Steep(Variation variation)
   return variation;
 }
 
-void LookFromInside(RenderScene& scene)
-{
-  scene.Renderer->GetActiveCamera()->SetPosition(20.0, 18.0, 20.0);
-  scene.Renderer->GetActiveCamera()->SetFocalPoint(48.0, 30.0, 8.0);
-  scene.Renderer->ResetCameraClippingRange();
-}
-
-void Light(RenderScene& scene)
-{
-  scene.Volume->GetProperty()->ShadeOn();
-  vtkNew<vtkPiecewiseFunction> gradient;
-  gradient->AddPoint(0.0, 0.2);
-  gradient->AddPoint(0.2, 1.0);
-  scene.Volume->GetProperty()->SetGradientOpacity(gradient);
-}
-
 std::vector<Variation> Variations()
 {
   return { WithIntegrator(0, 0.37, false), WithIntegrator(1, 4.0, true),
     Steep(WithIntegrator(1, 1.0, false)), Steep(WithIntegrator(2, 1.0, false)),
-    WithIntegrator(3, 1.7, false), { "from inside", LookFromInside }, { "lit", Light },
-    Steep({ "lit", Light }) };
+    WithIntegrator(3, 1.7, false), { "from inside", LookFromInside }, { "lit", ShadeByGradients },
+    Steep({ "lit", ShadeByGradients }) };
 }
 }
 
