@@ -61,8 +61,10 @@ std::vector<Block> BlocksOfComposite(vtkCompositeDataSet* composite)
   }
   if (blocks.empty())
   {
-    throw SceneError(
-      std::string("no block of the ") + composite->GetClassName() + " has a point to draw");
+    // One image comes as one block where ParaView shows it.
+    throw SceneError(number == 1
+        ? "the image is empty"
+        : std::string("no block of the ") + composite->GetClassName() + " has a point to draw");
   }
   return blocks;
 }
