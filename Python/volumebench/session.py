@@ -1,6 +1,7 @@
 """A ParaView session of a study; with session_engine, session_view and session_remote all that imports paraview."""
 
 from collections.abc import Callable
+from contextlib import closing
 from datetime import datetime, timezone
 from functools import partial
 from pathlib import Path
@@ -91,11 +92,8 @@ class Session:
         watch: Watch,
     ) -> tuple[list[Contestant], Pictures]:
         """Measure the runs of one scene in a render view."""
-        stage = ViewStage(volume, function, runs[0].scene, self._study)
-        try:
+        with closing(ViewStage(volume, function, runs[0].scene, self._study)) as stage:
             return measure_view(stage, runs, self._study, watch)
-        finally:
-            stage.close()
 
     def run_remote(
         self,
@@ -105,12 +103,11 @@ class Session:
         watch: Watch,
     ) -> tuple[list[Contestant], Pictures]:
         """Measure the runs of one scene in a render view that a server of our own draws."""
-        with connected_server(self._plugin):
-            stage = RemoteStage(volume, function, runs[0].scene, self._study)
-            try:
-                return measure_view(stage, runs, self._study, watch)
-            finally:
-                stage.close()
+        with (
+            connected_server(self._plugin),
+            closing(RemoteStage(volume, function, runs[0].scene, self._study)) as stage,
+        ):
+            return measure_view(stage, runs, self._study, watch)
 
     def run_start(
         self,

@@ -2,7 +2,6 @@
 
 #include "Scene/Features.h"
 #include "Scene/StepLengths.h"
-#include "Scene/StepLengths.h"
 
 #include <glm/common.hpp>
 #include <glm/vector_relational.hpp>
