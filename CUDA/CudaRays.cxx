@@ -22,6 +22,9 @@ FeatureSet CudaRays::FeaturesFor(const Scene& scene)
 {
   FeatureSet features = FeaturesNeededBy(scene);
   features.reset(static_cast<std::size_t>(Feature::RasterisedSetUp));
+  // Not measured there: the table's fetch is cheap, and registers are what threads share.
+  features.reset(static_cast<std::size_t>(Feature::Ramps));
+  features.reset(static_cast<std::size_t>(Feature::MoreRamps));
   return features;
 }
 

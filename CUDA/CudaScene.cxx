@@ -191,8 +191,8 @@ void CudaScene::UpdateTables(const TransferFunction& function, const FeatureSet&
     texture->Release();
   }
   const bool oneColor = Has(features, Feature::OneColor);
-  SendTable(
-    this->Table, function.Table, oneColor, { static_cast<int>(function.Table.size()), 0, 0 });
+  const SharedTable<glm::vec4>& table = TableOf(function, features);
+  SendTable(this->Table, table, oneColor, { static_cast<int>(table.size()), 0, 0 });
   if (Has(features, Feature::Segment))
   {
     this->Prefix.Create(Unfiltered(CU_AD_FORMAT_SIGNED_INT32, oneColor ? 1 : 4),

@@ -34,17 +34,6 @@ FUNC StepEnd stepEndAt(SCENE_PARAM Ray ray, real along)
   return end;
 }
 
-FUNC real samplePoint(Ray ray, real stepBegin, real width)
-{
-#if WITH_JITTER && !BORDERS_MOVE
-  return stepBegin + ray.jitter * width;
-#elif WITH_MIDPOINT
-  return stepBegin + REAL(0.5) * width;
-#else
-  return stepBegin;
-#endif
-}
-
 #if EXTREME_OF_ENDS
 FUNC vec4 contributionOf(
   SCENE_PARAM Ray ray, real stepBegin, real width, StepEnd front, StepEnd back)
@@ -212,6 +201,7 @@ FUNC March steppedOn(SCENE_PARAM Ray ray, Interval interval, March march)
   return stepped(SCENE ray, interval, march);
 }
 
+#if !WITH_RAMPS
 // Follows a ray from its step `first` on, a few steps at a time.
 FUNC March marchFrom(SCENE_PARAM Ray ray, Interval interval, int first, int end)
 {
@@ -240,6 +230,7 @@ FUNC March marchFrom(SCENE_PARAM Ray ray, Interval interval, int first, int end)
   } while (goesOn(SCENE march, end));
   return march;
 }
+#endif
 
 // The pixel of the part of a ray in the interval.
 FUNC vec4 integrate(SCENE_PARAM Ray ray, Interval interval)

@@ -4,6 +4,7 @@
 #include "Shared/Ray.h"
 #include "Shared/Jitter.h"
 #include "Shared/Classify.h"
+#include "Shared/Ramps.h"
 #include "Shared/Segment.h"
 #include "Shared/Lighting.h"
 #include "Shared/Sample.h"
@@ -12,4 +13,5 @@
 #include "Shared/Skip.h"
 #include "Shared/Brick.h"
 #include "Shared/SampleView.h"
+#include "Shared/RampMarch.h"
 #include "Shared/Integrate.h"

@@ -95,3 +95,15 @@ FUNC real gradedWidthOf(
   return max(min(width, interval.end - stepBegin), REAL(0.0));
 }
 #endif
+
+// Where the sample of a step lies.
+FUNC real samplePoint(Ray ray, real stepBegin, real width)
+{
+#if WITH_JITTER && !BORDERS_MOVE
+  return stepBegin + ray.jitter * width;
+#elif WITH_MIDPOINT
+  return stepBegin + REAL(0.5) * width;
+#else
+  return stepBegin;
+#endif
+}

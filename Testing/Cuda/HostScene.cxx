@@ -64,8 +64,8 @@ Array Table(const SharedTable<glm::vec4>& entries, bool oneColor, const glm::ive
 void AddTables(const TransferFunction& function, const FeatureSet& features, HostTextures& textures)
 {
   const bool oneColor = Has(features, Feature::OneColor);
-  textures.Table =
-    addArray(Table(function.Table, oneColor, { static_cast<int>(function.Table.size()), 1, 1 }));
+  const SharedTable<glm::vec4>& table = TableOf(function, features);
+  textures.Table = addArray(Table(table, oneColor, { static_cast<int>(table.size()), 1, 1 }));
   if (Has(features, Feature::Segment))
   {
     textures.Prefix =

@@ -206,11 +206,32 @@ TEST(Features, RaysStopOnlyWhereSomeRayCanBeDeepEnough)
         scene.Sampling.TerminationThreshold = threshold;
       });
   };
-  // The longest way through is at most 3 x 20 voxels of 0.5: a depth of 4.6 leaves a hundredth.
-  EXPECT_EQ(with(0.1, 0.01), Names());
-  EXPECT_EQ(with(0.2, 0.01), Names{ "termination" });
-  EXPECT_EQ(with(0.2, 0.001), Names());
+  // The longest way through is the diagonal, 17.32: a depth of 4.605 leaves a hundredth.
+  EXPECT_EQ(with(0.265, 0.01), Names());
+  EXPECT_EQ(with(0.267, 0.01), Names{ "termination" });
+  EXPECT_EQ(with(0.267, 0.001), Names());
   EXPECT_EQ(with(1000.0, 0.0), Names());
+}
+
+TEST(Features, TheLongestWayOfASlantedGridIsItsLongestDiagonal)
+{
+  for (const double slant : { -3.0, 3.0 })
+  {
+    const auto with = [slant](double extinction)
+    {
+      return NamesOf(
+        [=](Scene& scene)
+        {
+          scene.Volume.BoxHalf = glm::dvec3(10.0);
+          scene.Volume.VoxelToData[1] = glm::dvec4(slant, 1.0, 0.0, 0.0);
+          scene.TransferFunction.MaximumExtinction = extinction;
+          scene.Sampling.TerminationThreshold = 0.01;
+        });
+    };
+    // (4, 1, 1) times 20 data units.
+    EXPECT_EQ(with(0.0542), Names());
+    EXPECT_EQ(with(0.0544), Names{ "termination" });
+  }
 }
 
 TEST(Features, SayWhyAnErrorTargetIsNotKept)

@@ -12,6 +12,11 @@ std::vector<float> ExtinctionsOf(const SharedTable<glm::vec4>& entries)
   return extinctions;
 }
 
+const SharedTable<glm::vec4>& TableOf(const TransferFunction& function, const FeatureSet& features)
+{
+  return Has(features, Feature::Ramps) ? function.Ramps : function.Table;
+}
+
 std::vector<std::int32_t> OneColorPrefix(const SharedTable<glm::ivec4>& entries)
 {
   std::vector<std::int32_t> prefix(entries.size());
@@ -23,8 +28,8 @@ std::vector<std::int32_t> OneColorPrefix(const SharedTable<glm::ivec4>& entries)
 FeatureSet TablesOf(const FeatureSet& features)
 {
   FeatureSet tables;
-  for (const Feature feature :
-    { Feature::Segment, Feature::PreIntegrated, Feature::GradientOpacity, Feature::OneColor })
+  for (const Feature feature : { Feature::Segment, Feature::PreIntegrated, Feature::GradientOpacity,
+         Feature::OneColor, Feature::Ramps })
   {
     tables.set(static_cast<std::size_t>(feature), Has(features, feature));
   }

@@ -16,6 +16,10 @@ namespace volumebench
 /// The extinctions alone, for Feature::OneColor.
 VOLUMEBENCHENGINE_EXPORT std::vector<float> ExtinctionsOf(const SharedTable<glm::vec4>& entries);
 
+/// What kernels of these features look values up in.
+VOLUMEBENCHENGINE_EXPORT const SharedTable<glm::vec4>& TableOf(
+  const TransferFunction& function, const FeatureSet& features);
+
 /// Prefix integrals as Shaders/Shared/Segment.h has them for Feature::OneColor: marked entries are
 /// complements.
 VOLUMEBENCHENGINE_EXPORT std::vector<std::int32_t> OneColorPrefix(

@@ -225,11 +225,12 @@ void SceneTextures::UpdateTables(const TransferFunction& function, const Feature
     texture->Release();
   }
   const bool oneColor = Has(features, Feature::OneColor);
-  const auto width = static_cast<GLsizei>(function.Table.size());
-  this->TableBytes += oneColor ? UploadLine(this->Table, { GL_R32F, GL_RED, GL_FLOAT }, width,
-                                   ExtinctionsOf(function.Table).data(), true)
-                               : UploadLine(this->Table, { GL_RGBA32F, GL_RGBA, GL_FLOAT }, width,
-                                   function.Table.data(), true);
+  const SharedTable<glm::vec4>& table = TableOf(function, features);
+  const auto width = static_cast<GLsizei>(table.size());
+  this->TableBytes += oneColor
+    ? UploadLine(
+        this->Table, { GL_R32F, GL_RED, GL_FLOAT }, width, ExtinctionsOf(table).data(), true)
+    : UploadLine(this->Table, { GL_RGBA32F, GL_RGBA, GL_FLOAT }, width, table.data(), true);
   if (Has(features, Feature::Segment))
   {
     const auto entries = static_cast<GLsizei>(function.Prefix.size());

@@ -208,7 +208,8 @@ void OpenClScene::UpdateTables(const TransferFunction& function)
     table->Memory.Release();
     table->Used = false;
   }
-  this->SendTable(this->Classification, function.Table, static_cast<int>(function.Table.size()), 1);
+  const SharedTable<glm::vec4>& table = TableOf(function, this->Features);
+  this->SendTable(this->Classification, table, static_cast<int>(table.size()), 1);
   if (Has(this->Features, Feature::Segment))
   {
     if (Has(this->Features, Feature::OneColor))

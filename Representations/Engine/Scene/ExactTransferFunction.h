@@ -36,6 +36,15 @@ public:
   /// A piece's own continuation of the function: at a knot, its one-sided limit.
   glm::dvec4 InPiece(std::size_t piece, double value) const;
 
+  /// Colour (rgb) and opacity over the unit distance (w), continued like that.
+  glm::dvec4 ColorAndOpacity(std::size_t piece, double value) const
+  {
+    return this->SampleOf(this->Pieces[piece], value);
+  }
+
+  /// Whether colour and opacity are straight over a piece.
+  bool IsStraight(std::size_t piece) const { return this->Pieces[piece].Cubics == 0; }
+
   /// Whether extinction is zero all over a piece.
   bool IsTransparent(std::size_t piece) const { return this->Pieces[piece].Transparent; }
 

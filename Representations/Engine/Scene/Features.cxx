@@ -1,6 +1,7 @@
 #include "Scene/Features.h"
 
 #include "Scene/HomogeneousCells.h"
+#include "Scene/Ramps.h"
 #include "Scene/StepLengths.h"
 
 #include "Scene/Boxes.h"
@@ -77,6 +78,20 @@ bool HasEmptyMargin(const Scene& s)
       cells->OccupiedHigh != s.Volume.BoxHalf);
 }
 
+// The longest way through the box in data units, which is one of its four diagonals.
+double LongestWay(const Volume& volume)
+{
+  const glm::dmat3 edges(volume.VoxelToData);
+  double longest = 0.0;
+  for (int signs = 0; signs < 4; ++signs)
+  {
+    const glm::dvec3 corner = volume.BoxHalf *
+      glm::dvec3((signs & 1) != 0 ? 1.0 : -1.0, (signs & 2) != 0 ? 1.0 : -1.0, 1.0);
+    longest = std::max(longest, 2.0 * glm::length(edges * corner));
+  }
+  return longest;
+}
+
 // Whether some ray may be deep enough to stop early.
 bool CanStop(const Scene& s)
 {
@@ -84,13 +99,24 @@ bool CanStop(const Scene& s)
   {
     return !HasMode(s, BlendMode::Average);
   }
-  const glm::dmat3 edges(s.Volume.VoxelToData);
-  const glm::dvec3 half = s.Volume.BoxHalf;
-  const double longest = 2.0 *
-    (half.x * glm::length(edges[0]) + half.y * glm::length(edges[1]) +
-      half.z * glm::length(edges[2]));
-  return s.TransferFunction.MaximumExtinction * longest >
+  return s.TransferFunction.MaximumExtinction * LongestWay(s.Volume) >
     -std::log(s.Sampling.TerminationThreshold);
+}
+
+bool HasMoreRamps(const Scene& s)
+{
+  return s.TransferFunction.Ramps.size() > 4;
+}
+
+// Whether steps are so thin that the kernels' series has the opacity of each.
+bool HasThinRamps(const Scene& s)
+{
+  const TransferFunction& function = s.TransferFunction;
+  const glm::dmat3 edges(s.Volume.VoxelToData);
+  const double edge =
+    std::max({ glm::length(edges[0]), glm::length(edges[1]), glm::length(edges[2]) });
+  return RampSeriesError(function.RampOpacity,
+           s.Sampling.StepVoxels * edge / function.UnitDistance) <= MostRampSeriesError;
 }
 
 // Why what only Composite and Gradient have is left out, given whether it is switched on.
@@ -263,6 +289,15 @@ std::vector<FeatureRow> SkippingRows()
       } },
     { Feature::Bricks, "bricks", "WITH_BRICKS", "volume in bricks", "the device takes it at once",
       [](const Scene& s) { return s.Bricks != nullptr; } },
+    { Feature::Ramps, "ramps", "WITH_RAMPS", "function by its straight pieces", "off",
+      [](const Scene& s) { return WhyNoRamps(s) == nullptr; }, WhyNoRamps },
+    { Feature::MoreRamps, "more-ramps", "WITH_MORE_RAMPS", "third and fourth piece", "off",
+      [](const Scene& s) { return WhyNoRamps(s) == nullptr && HasMoreRamps(s); },
+      [](const Scene& s)
+      {
+        const char* why = WhyNoRamps(s);
+        return why ? why : "there are not more than two";
+      } },
   };
 }
 }
@@ -306,6 +341,35 @@ const char* WhyNoSimdRays(const Scene& s)
     return "the volume is in bricks";
   }
   return s.Clip.CropRegionFlags != 0 ? "crop regions" : nullptr;
+}
+
+// Other integrators look up more than the function, and where extinction is weighed or steps differ in
+// length, opacities over a step are not what the pieces give.
+const char* WhyNoRamps(const Scene& s)
+{
+  const Integrator integrator = s.Sampling.Integration;
+  if (!HasMode(s, BlendMode::Composite) ||
+    (integrator != Integrator::Left && integrator != Integrator::Midpoint))
+  {
+    return HasMode(s, BlendMode::Composite) ? "not with this integrator" : "not in this blend mode";
+  }
+  if (s.TransferFunction.Ramps.empty())
+  {
+    return "there are more than four or it bends";
+  }
+  if (!s.TransferFunction.GradientTable.empty() || s.Clip.CropRegionFlags != 0)
+  {
+    return s.Clip.CropRegionFlags != 0 ? "crop regions" : "gradient opacity";
+  }
+  if (s.Volume.Channels > 1 || HasOneColor(s))
+  {
+    return s.Volume.Channels > 1 ? "several components" : "one colour for all";
+  }
+  if (HasLongRays(s) || HasEmptyCells(s))
+  {
+    return HasLongRays(s) ? "rounding is compensated" : "empty space is skipped";
+  }
+  return HasThinRamps(s) ? nullptr : "steps are not thin";
 }
 
 FeatureSet FeaturesNeededBy(const Scene& scene)

@@ -46,6 +46,8 @@ enum class Feature
   OneColor,
   SimdRays,
   Bricks,
+  Ramps,
+  MoreRamps,
   Count
 };
 
@@ -65,6 +67,9 @@ struct FeatureRow
 /// Why rays cannot lie side by side in vectors; null where they can. That is for
 /// techniques on CPUs to decide: no scene needs it.
 VOLUMEBENCHENGINE_EXPORT const char* WhyNoSimdRays(const Scene& scene);
+
+/// Why the transfer function is looked up in a table; null where arithmetic on its pieces does.
+VOLUMEBENCHENGINE_EXPORT const char* WhyNoRamps(const Scene& scene);
 
 /// Why a feature is left out that is one of several choices.
 constexpr const char* NotChosen = "not chosen";

@@ -67,6 +67,8 @@ using real = KERNEL_REAL;
 #undef WITH_ONE_COLOR
 #undef WITH_SIMD_RAYS
 #undef WITH_BRICKS
+#undef WITH_RAMPS
+#undef WITH_MORE_RAMPS
 
 #undef KERNEL_NAMESPACE
 #undef KERNEL_REAL

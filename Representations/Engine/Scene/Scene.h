@@ -124,6 +124,11 @@ struct TransferFunction
   /// The functions themselves, over which the table is sampled.
   std::shared_ptr<const ExactTransferFunction> Exact;
 
+  /// The same in place of Table where that is few straight pieces, as Scene/Ramps.h makes them; else
+  /// empty. RampOpacity: the largest over the unit distance.
+  SharedTable<glm::vec4> Ramps;
+  double RampOpacity = 0.0;
+
   /// For PreIntegrated: SegmentSize x SegmentSize entries over (front, back) from Low to High; row
   /// by row of back, as SegmentTable makes them. Empty unless the scene needs it.
   SharedTable<glm::vec4> Segments;

@@ -3,6 +3,7 @@
 #include "Scene/ExactTransferFunction.h"
 #include "Scene/NumberText.h"
 #include "Scene/PropertyFunctions.h"
+#include "Scene/Ramps.h"
 
 #include "vtkPiecewiseFunction.h"
 #include "vtkVolumeProperty.h"
@@ -151,6 +152,17 @@ void FillGradientTable(vtkVolumeProperty* property, TransferFunction& result)
 }
 }
 
+namespace
+{
+void AddRamps(TransferFunction& function)
+{
+  const RampTable ramps = BuildRamps(*function.Exact,
+    { function.Low, function.High, static_cast<int>(function.Table.size()) });
+  function.Ramps = ramps.Entries;
+  function.RampOpacity = ramps.LargestOpacity;
+}
+}
+
 bool IsColor(const glm::vec3& first, const glm::vec3& second)
 {
   constexpr float Rounding = 3.0e-7f;
@@ -195,6 +207,12 @@ TransferFunction BuildTransferFunction(vtkVolumeProperty* property, const double
   FillGradientTable(property, result);
 
   result.Exact = std::make_shared<const ExactTransferFunction>(property);
+  // Whoever chooses the size of the table wants it looked up, and a component of its own has its
+  // colours elsewhere.
+  if (sizes.Fixed == 0 && !colorRange)
+  {
+    AddRamps(result);
+  }
 
   ExtendStamp(result.Stamp, functions.GetStamp());
   ExtendStamp(result.Stamp, size);

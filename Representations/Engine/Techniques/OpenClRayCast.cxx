@@ -95,7 +95,13 @@ FeatureSet OpenClRayCast::FeaturesFor(const Scene& scene) const
   FeatureSet features = FeaturesNeededBy(scene);
   features.reset(static_cast<std::size_t>(Feature::RasterisedSetUp));
   const OpenClDevice& device = ChooseOpenClDevice(OpenClDevices(), scene.Sampling.OpenCl.Device);
-  features.set(static_cast<std::size_t>(Feature::SimdRays), LanesFor(scene, device) > 1);
+  const bool lanes = LanesFor(scene, device) > 1;
+  features.set(static_cast<std::size_t>(Feature::SimdRays), lanes);
+  if (lanes) // whose text looks values up itself
+  {
+    features.reset(static_cast<std::size_t>(Feature::Ramps));
+    features.reset(static_cast<std::size_t>(Feature::MoreRamps));
+  }
   return features;
 }
 

@@ -30,7 +30,9 @@ Scene WithoutSampling(const Scene& scene)
 
 FeatureSet Reference::FeaturesFor(const Scene& scene) const
 {
-  return FeaturesNeededBy(WithoutSampling(scene));
+  FeatureSet features = FeaturesNeededBy(WithoutSampling(scene));
+  features.reset(static_cast<std::size_t>(Feature::Ramps)); // it has the function itself
+  return features.reset(static_cast<std::size_t>(Feature::MoreRamps));
 }
 
 void Reference::Compile(const Scene& scene)

@@ -62,6 +62,8 @@ FeatureSet Slices::FeaturesFor(const Scene& scene) const
   features.reset(static_cast<std::size_t>(Feature::Compensation)); // batches do it
   features.reset(static_cast<std::size_t>(Feature::TightBox));     // the tiles do these two
   features.reset(static_cast<std::size_t>(Feature::Skipping));
+  features.reset(static_cast<std::size_t>(Feature::Ramps)); // a fragment would read all for one step
+  features.reset(static_cast<std::size_t>(Feature::MoreRamps));
   return features.reset(static_cast<std::size_t>(Feature::RasterisedSetUp));
 }
 
