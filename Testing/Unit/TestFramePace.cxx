@@ -119,3 +119,35 @@ TEST(FramePace, GetsFinerAgainWhenThereIsTime)
   const Drag light = Drags(pace, { 30.0, 5.0, 0.1 }, 100.0, 40, Unknown);
   EXPECT_TRUE(IsFull(light.Frames.back()));
 }
+
+// The step from the longest steps to half the pixels is a large one: a constant part of a frame's
+// time must not make the way back look longer than it is.
+TEST(FramePace, ComesBackFromFewerPixels)
+{
+  for (const bool stillKnown : { false, true })
+  {
+    FramePace pace;
+    const Device device{ 160.0, 15.0, 0.0 };
+    Drags(pace, { 900.0, 15.0, 0.0 }, 100.0, 30, Unknown);
+    pace.NoteStill();
+    const Drag drag = Drags(pace, device, 100.0, 40, stillKnown ? 175.0 : Unknown);
+    EXPECT_EQ(drag.Frames.back().Reduction, 1);
+    EXPECT_GT(drag.Ms.back(), 60.0) << "time that is there is used";
+    EXPECT_LE(drag.Ms.back(), 100.0);
+  }
+}
+
+TEST(FramePace, ForgivesASingleFrameThatIsALittleLate)
+{
+  FramePace pace;
+  Drags(pace, { 160.0, 5.0, 0.0 }, 100.0, 30, Unknown);
+  const double usual = Drags(pace, { 160.0, 5.0, 0.0 }, 100.0, 1, 85.0).Ms.back();
+  const Coarseness before = pace.Next(100.0, usual, 4.0);
+  const Coarseness once = pace.Next(100.0, 130.0, 4.0);
+  EXPECT_EQ(once.StepFactor, before.StepFactor);
+  const Coarseness twice = pace.Next(100.0, 130.0, 4.0);
+  EXPECT_GT(twice.StepFactor, before.StepFactor) << "this is how the view is";
+  FramePace other;
+  Drags(other, { 160.0, 5.0, 0.0 }, 100.0, 30, Unknown);
+  EXPECT_GT(other.Next(100.0, 400.0, 4.0).StepFactor, before.StepFactor) << "far too late";
+}

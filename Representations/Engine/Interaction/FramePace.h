@@ -6,7 +6,7 @@
 
 #include "VolumeBenchEngineModule.h"
 
-#include <limits>
+#include <vector>
 
 namespace volumebench
 {
@@ -27,9 +27,18 @@ public:
   void NoteStill() { this->Drawn = 0; }
 
 private:
-  int Level = 0; // of the last coarse frame; 0 is as good as a still one
-  int Drawn = 0; // of the last frame
-  int Calm = 0;  // frames in a row after which a finer one would have been in time
+  void Learn(double lastMs, int stepLevels);
+  double ExpectedMs(int level, double lastMs, int stepLevels) const;
+  int Coarser(int level, double targetMs, double lastMs, int stepLevels) const;
+
+  int Level = 0;      // of the last coarse frame; 0 is as good as a still one
+  int Drawn = 0;      // of the last frame
+  int Calm = 0;       // frames in a row after which a finer one would have been in time
+  bool Late = false;  // the frame before was, a little
+  int StepLevels = 0; // that KnownMs is for
+  std::vector<double>
+    KnownMs; // of frames of each level, in the view of the last; NaN: nobody knows
+  std::vector<double> Changes; // of each of these since it was measured, as a factor
 };
 }
 
