@@ -1,13 +1,13 @@
-// Puts a picture of fewer pixels than the viewport on the screen.
+// Puts a picture, of fewer pixels or as many, over a part of the screen.
 #include "Dialects/Glsl.h"
 
 uniform sampler2D pictureTexture;
-uniform vec2 viewportFirst; // in window pixels
-uniform vec2 viewportSize;
+uniform vec2 placeFirst; // in window pixels
+uniform vec2 placeSize;
 
 out vec4 fragmentColor;
 
 void main()
 {
-  fragmentColor = texture(pictureTexture, (gl_FragCoord.xy - viewportFirst) / viewportSize);
+  fragmentColor = texture(pictureTexture, (gl_FragCoord.xy - placeFirst) / placeSize);
 }

@@ -1,6 +1,7 @@
 #include "vtkVolumeBenchMapper.h"
 
 #include "Error/ErrorEstimator.h"
+#include "Gpu/LayerPicture.h"
 #include "VolumePainter.h"
 
 #include "vtkBoundingBox.h"
@@ -27,6 +28,7 @@ struct vtkVolumeBenchMapper::Internals
 {
   volumebench::VolumePainter Painter;
   volumebench::ErrorEstimator Estimator;
+  std::shared_ptr<volumebench::LayerPicture> Layer;
   std::string Failure;
   bool Unsupported = false;
 
@@ -48,9 +50,11 @@ void vtkVolumeBenchMapper::Internals::DrawOrMark(
   vtkVolumeBenchMapper* mapper, vtkRenderer* renderer, vtkVolume* volume)
 {
   vtkHardwareSelector* selector = renderer->GetSelector();
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  const auto draw = [&] { this->Painter.Draw(mapper, renderer, volume); };
   if (!selector)
   {
-    this->Painter.Draw(mapper, renderer, volume);
+    this->Layer&& window ? this->Layer->Draw(window, draw) : draw();
     return;
   }
   selector->BeginRenderProp();
@@ -70,6 +74,11 @@ void vtkVolumeBenchMapper::Internals::DrawOrMark(
     throw;
   }
   selector->EndRenderProp();
+}
+
+void vtkVolumeBenchMapper::SetLayer(const std::shared_ptr<volumebench::LayerPicture>& layer)
+{
+  this->Internal->Layer = layer;
 }
 
 void vtkVolumeBenchMapper::Render(vtkRenderer* renderer, vtkVolume* volume)

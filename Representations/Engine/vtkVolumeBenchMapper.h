@@ -24,6 +24,7 @@
 
 namespace volumebench
 {
+class LayerPicture;
 struct ErrorEstimate;
 struct SetUpCosts;
 struct StageTime;
@@ -286,6 +287,9 @@ public:
   vtkBooleanMacro(TimeFrames, bool);
   ///@}
 
+  /** Where pictures go, except selections: the bound framebuffer (none, default), or a layer. */
+  void SetLayer(const std::shared_ptr<volumebench::LayerPicture>& layer);
+
   void Render(vtkRenderer* renderer, vtkVolume* volume) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
@@ -323,10 +327,7 @@ public:
    */
   double GetFrameMs() const;
 
-  /**
-   * Samples that are yellow in the last frame, those of the longest ray that skips none; NaN unless
-   * it shows samples.
-   */
+  /** Samples that are yellow in the last frame: of the longest ray, skipping none; else NaN. */
   double GetFullScaleSamples() const;
 
   /** What the technique spent on uploads and compilation, and its bytes on the device. */

@@ -5,6 +5,7 @@
 #include "Scene/Blocks.h"
 #include "Scene/Scene.h"
 #include "vtkVolumeBenchMapper.h"
+#include "vtkVolumeBenchRankBlender.h"
 
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
@@ -261,6 +262,7 @@ int vtkVolumeBenchRepresentation::ProcessViewRequest(
   if (request == vtkPVView::REQUEST_RENDER() && view)
   {
     this->LookAtOrder(view);
+    this->UseLayer(view, inInfo->Has(vtkPVRenderView::USE_LOD()) != 0);
   }
   if (!this->Superclass::ProcessViewRequest(request, inInfo, outInfo))
   {
@@ -300,6 +302,7 @@ void vtkVolumeBenchRepresentation::SetVisibility(bool visible)
   if (!visible)
   {
     this->RestoreVolumePeeling();
+    this->Blender->VisibilityOff();
   }
   this->Superclass::SetVisibility(visible);
 }
@@ -307,6 +310,10 @@ void vtkVolumeBenchRepresentation::SetVisibility(bool visible)
 bool vtkVolumeBenchRepresentation::RemoveFromView(vtkView* view)
 {
   this->RestoreVolumePeeling();
+  if (auto* renderView = vtkPVRenderView::SafeDownCast(view))
+  {
+    renderView->GetRenderer()->RemoveViewProp(this->Blender);
+  }
   return this->Superclass::RemoveFromView(view);
 }
 

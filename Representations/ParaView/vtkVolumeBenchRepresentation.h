@@ -38,6 +38,7 @@ class vtkPiecewiseFunction;
 class vtkPVRenderView;
 class vtkRenderer;
 class vtkVolumeBenchMapper;
+class vtkVolumeBenchRankBlender;
 
 class VOLUMEBENCHREPRESENTATIONS_EXPORT vtkVolumeBenchRepresentation
   : public vtkImageVolumeRepresentation
@@ -165,6 +166,8 @@ private:
   void FindDefaultRange();
   void LookAtOrder(vtkPVRenderView* view);
   void SortVolumes(vtkPVRenderView* view);
+  bool RanksBlend(vtkPVRenderView* view, bool low);
+  void UseLayer(vtkPVRenderView* view, bool low);
   void Redeliver(vtkInformation* request, vtkInformation* reply);
   int GetLayers();
   void DrawDefaultArray();
@@ -198,8 +201,9 @@ private:
   double SpreadMatrix[16] = {}; // what they are laid out for
   int SpreadLayers = 0;
   bool Redelivers = false;
-  bool RanksInterleave = false; // with all that the view shows
-  std::string RanksRefusal;     // why they cannot be laid out
+  vtkNew<vtkVolumeBenchRankBlender> Blender; // in use by the last of a view's volumes
+  bool RanksInterleave = false;              // with all that the view shows
+  std::string RanksRefusal;                  // why they cannot be laid out
   std::string RanksText;
   double OwnRange[2] = { 1.0, 0.0 };     // of the values of the default array
   double DefaultRange[2] = { 1.0, 0.0 }; // of the values of the default array on all ranks

@@ -1,15 +1,17 @@
 // The part of vtkVolumeBenchRepresentation that gives each rank what it draws.
 //
-// ParaView blends the ranks' pictures in the order of the boxes round what they hold. So those
-// boxes must be apart, all volumes of a view taken together; where they are not, voxels change
-// ranks. Each rank has layers of its neighbours' voxels besides, which its samples read, and knows
-// its share of the whole.
+// ParaView blends the ranks' pictures in the order of the boxes round what they hold, and so does
+// vtkVolumeBenchRankBlender with the volumes, before anything is rounded. So those boxes must be
+// apart, all volumes of a view taken together; where they are not, voxels change ranks. Each rank
+// has layers of its neighbours' voxels besides, which its samples read, and knows its share of the
+// whole.
 #include "vtkVolumeBenchRepresentation.h"
 
 #include "BlockCopies.h"
 #include "RankExchange.h"
 #include "Scene/Scene.h"
 #include "vtkVolumeBenchMapper.h"
+#include "vtkVolumeBenchRankBlender.h"
 
 #include "vtkImageData.h"
 #include "vtkInformation.h"
@@ -20,6 +22,8 @@
 #include "vtkPVLODVolume.h"
 #include "vtkPVRenderView.h"
 #include "vtkPVRenderViewDataDeliveryManager.h"
+#include "vtkPVRenderViewSettings.h"
+#include "vtkPVSynchronizedRenderer.h"
 #include "vtkPartitionedDataSet.h"
 #include "vtkPropCollection.h"
 #include "vtkRenderer.h"
@@ -75,6 +79,32 @@ std::vector<vtkVolumeBenchRepresentation*> VolumesOf(vtkPVRenderView* view)
   }
   return volumes;
 }
+
+// Of a renderer's props. Not removed through the renderer, which would free what the prop has on
+// the device.
+void MakeLast(vtkProp* prop, vtkRenderer* renderer)
+{
+  if (renderer->HasViewProp(prop))
+  {
+    renderer->GetViewProps()->RemoveItem(prop);
+    renderer->GetViewProps()->AddItem(prop);
+  }
+  else
+  {
+    renderer->AddViewProp(prop);
+  }
+}
+
+// Ranks that show nothing have to take part in what all do together. ParaView asks each
+// representation whether that is so, but not those that want ordered compositing.
+class AllRanksRender : public vtkPVRenderView
+{
+public:
+  static void In(vtkPVRenderView* view)
+  {
+    (view->*(&AllRanksRender::SynchronizedRenderers))->SetRenderEmptyImages(true);
+  }
+};
 }
 
 // The superclass gives the view the bounds that the data have without the prop's transform.
@@ -231,12 +261,46 @@ void vtkVolumeBenchRepresentation::SortVolumes(vtkPVRenderView* view)
   {
     boxes.push_back(Transformed(volume->WholeBounds, volume->Actor->GetMatrix()));
   }
-  vtkPropCollection* props = view->GetRenderer()->GetViewProps();
   for (const std::size_t volume : volumebench::BackToFront(boxes, view->GetActiveCamera()))
   {
-    // Not through the renderer, which would free what the volume has on the device.
-    vtkPVLODVolume* actor = volumes[volume]->Actor;
-    props->RemoveItem(actor);
-    props->AddItem(actor);
+    MakeLast(volumes[volume]->Actor, view->GetRenderer());
+  }
+}
+
+// Whether several ranks draw parts of the volumes, in an order, and all of them in one picture.
+bool vtkVolumeBenchRepresentation::RanksBlend(vtkPVRenderView* view, bool low)
+{
+  const bool distributed = low ? view->GetUseDistributedRenderingForLODRender()
+                               : view->GetUseDistributedRenderingForRender();
+  const auto parts = std::count_if(this->Ranks.Boxes.begin(), this->Ranks.Boxes.end(),
+    [](const vtkBoundingBox& box) { return box.IsValid() != 0; });
+  return !volumebench::IsAlone() && distributed && view->GetUseOrderedCompositing() &&
+    !this->RanksInterleave && parts > 1 && !view->InTileDisplayMode() &&
+    !view->InCaveDisplayMode() && !vtkPVRenderViewSettings::GetInstance()->GetDisableIceT();
+}
+
+void vtkVolumeBenchRepresentation::UseLayer(vtkPVRenderView* view, bool low)
+{
+  const std::vector<vtkVolumeBenchRepresentation*> volumes = VolumesOf(view);
+  this->Blender->VisibilityOff();
+  if (volumes.empty() || volumes.back() != this)
+  {
+    return;
+  }
+  const bool blend = this->RanksBlend(view, low);
+  vtkBoundingBox whole;
+  for (vtkVolumeBenchRepresentation* volume : volumes)
+  {
+    volume->GetMapper()->SetLayer(blend ? this->Blender->GetLayer() : nullptr);
+    whole.AddBox(Transformed(volume->WholeBounds, volume->Actor->GetMatrix()));
+  }
+  if (blend)
+  {
+    const auto* manager =
+      vtkPVRenderViewDataDeliveryManager::SafeDownCast(view->GetDeliveryManager());
+    this->Blender->Begin(manager->GetCuts(), whole);
+    this->Blender->VisibilityOn();
+    MakeLast(this->Blender, view->GetRenderer());
+    AllRanksRender::In(view);
   }
 }

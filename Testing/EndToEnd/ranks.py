@@ -25,11 +25,6 @@ LEVEL = 1 / 255
 SAME_PICTURE = 2e-3
 WORST_PIXEL = 4 * LEVEL
 
-# ParaView blends ranks in 8 bits and rounds down each time. Where every pixel has several ranks one
-# behind the other, that alone is more: half a level on the average for each but the first.
-ALL_BEHIND_EACH_OTHER = {"inside", "along_a_face"}
-ROUNDING = 0.5 * LEVEL
-
 
 def check_ranks_give_one_picture() -> None:
     expect_one_picture(list(QUICK))
@@ -94,9 +89,8 @@ def differences(folder: Path, name: str, ranks: int) -> list[str]:
     rmse = np.sqrt(np.mean(difference**2))
     worst = np.abs(difference).max()
     print(f"  {name}, {ranks} ranks: {rmse:.5f}, worst {worst:.3f}")
-    rounding = ROUNDING * (ranks - 1) if name in ALL_BEHIND_EACH_OTHER else 0.0
     wrong = []
-    if rmse > SAME_PICTURE + rounding:
+    if rmse > SAME_PICTURE:
         wrong.append(f"{name} on {ranks} ranks: RMSE {rmse:.5f}")
     if worst > WORST_PIXEL:
         wrong.append(f"{name} on {ranks} ranks: a pixel differs by {worst:.3f}")

@@ -7,19 +7,34 @@
 
 namespace volumebench
 {
-void OffscreenPicture::Draw(
-  vtkOpenGLRenderWindow* window, const glm::ivec4& viewport, const std::function<void()>& draw)
+void OffscreenPicture::Bind(vtkOpenGLRenderWindow* window, const glm::ivec4& viewport)
 {
-  const GlContextGuard guard(window);
-  this->Depth.Capture(window, viewport);
-  const OffscreenScope scope(window);
   const glm::ivec4 whole(0, 0, viewport.z, viewport.w);
   this->Size = { viewport.z, viewport.w };
   this->Target.Resize(this->Size, GL_RGBA32F);
   this->Target.Bind(window, whole, whole);
   glFramebufferTexture2D(GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D,
     this->Depth.GetTexture().GetHandle(), 0);
-  OffscreenTarget::Clear(glm::vec4(0.0f));
+}
+
+void OffscreenPicture::Draw(
+  vtkOpenGLRenderWindow* window, const glm::ivec4& viewport, const std::function<void()>& draw)
+{
+  this->DrawOver(window, viewport,
+    [&draw]
+    {
+      OffscreenTarget::Clear(glm::vec4(0.0f));
+      draw();
+    });
+}
+
+void OffscreenPicture::DrawOver(
+  vtkOpenGLRenderWindow* window, const glm::ivec4& viewport, const std::function<void()>& draw)
+{
+  const GlContextGuard guard(window);
+  this->Depth.Capture(window, viewport);
+  const OffscreenScope scope(window);
+  this->Bind(window, viewport);
   draw();
 }
 

@@ -23,6 +23,10 @@ public:
   void Draw(
     vtkOpenGLRenderWindow* window, const glm::ivec4& viewport, const std::function<void()>& draw);
 
+  /// The same, but with what was drawn last still in the target.
+  void DrawOver(
+    vtkOpenGLRenderWindow* window, const glm::ivec4& viewport, const std::function<void()>& draw);
+
   /// What was drawn last.
   FloatPicture Read();
 
@@ -32,6 +36,8 @@ public:
   void Forget();
 
 private:
+  void Bind(vtkOpenGLRenderWindow* window, const glm::ivec4& viewport);
+
   OpaqueDepth Depth;
   OffscreenTarget Target;
   glm::ivec2 Size{ 0 };

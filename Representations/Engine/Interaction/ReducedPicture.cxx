@@ -1,8 +1,6 @@
 #include "Interaction/ReducedPicture.h"
 
 #include "Gpu/GlContextGuard.h"
-#include "Techniques/Gathering.h"
-
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtk_glew.h"
@@ -33,7 +31,8 @@ void ReducedPicture::Draw(vtkOpenGLRenderWindow* window, const glm::ivec4& viewp
     OffscreenTarget::Clear(glm::vec4(0.0f));
     draw();
   }
-  this->Enlarge(window, viewport);
+  constexpr bool Smoothly = true;
+  this->Overlay.Draw(window, this->Target.GetTexture(), viewport, Smoothly);
 }
 
 void ReducedPicture::ReduceDepth(
@@ -76,45 +75,15 @@ void ReducedPicture::ReduceDepth(
   glDeleteFramebuffers(1, &whole);
 }
 
-void ReducedPicture::Enlarge(vtkOpenGLRenderWindow* window, const glm::ivec4& viewport)
-{
-  const GlProgram& program = this->Programs.Get({ "Viewport.vert", "Enlarge.frag" }, FeatureSet());
-  program.Bind(window);
-  {
-    TextureUnits units(window);
-    program.SetUnit("pictureTexture", units.Attach(this->Target.GetTexture()));
-    this->Target.GetTexture().SetSampling(true);
-    program.SetNumbers(
-      "viewportFirst", static_cast<float>(viewport.x), static_cast<float>(viewport.y));
-    program.SetNumbers(
-      "viewportSize", static_cast<float>(viewport.z), static_cast<float>(viewport.w));
-    vtkOpenGLState* state = window->GetState();
-    state->vtkglDisable(GL_CULL_FACE);
-    state->vtkglDisable(GL_SCISSOR_TEST);
-    BlendOver(window);
-    if (!this->VertexArray)
-    {
-      glGenVertexArrays(1, &this->VertexArray);
-    }
-    glBindVertexArray(this->VertexArray);
-    glDrawArrays(GL_TRIANGLES, 0, 3);
-  }
-  GlProgram::Unbind();
-}
-
 void ReducedPicture::Release()
 {
   this->Depth.Release();
   this->ReducedDepth.Release();
   this->Target.Release();
-  this->Programs.Release();
+  this->Overlay.Release();
   if (this->DepthFramebuffer)
   {
     glDeleteFramebuffers(1, &this->DepthFramebuffer);
-  }
-  if (this->VertexArray)
-  {
-    glDeleteVertexArrays(1, &this->VertexArray);
   }
   this->Forget();
 }
@@ -124,8 +93,8 @@ void ReducedPicture::Forget()
   this->Depth.Forget();
   this->ReducedDepth.Forget();
   this->Target.Forget();
-  this->Programs.Forget();
+  this->Overlay.Forget();
   this->DepthSize = glm::ivec2(0);
-  this->DepthFramebuffer = this->VertexArray = 0;
+  this->DepthFramebuffer = 0;
 }
 }

@@ -2,9 +2,9 @@
 #ifndef volumebench_ReducedPicture_h
 #define volumebench_ReducedPicture_h
 
-#include "Gpu/KernelPrograms.h"
 #include "Gpu/OffscreenTarget.h"
 #include "Gpu/OpaqueDepth.h"
+#include "Gpu/PictureOverlay.h"
 
 #include <glm/vec4.hpp>
 
@@ -31,15 +31,13 @@ public:
 
 private:
   void ReduceDepth(vtkOpenGLRenderWindow* window, const glm::ivec2& from, const glm::ivec2& to);
-  void Enlarge(vtkOpenGLRenderWindow* window, const glm::ivec4& viewport);
 
   OpaqueDepth Depth;      // of the viewport
   GlTexture ReducedDepth; // of the picture
   glm::ivec2 DepthSize{ 0 };
   OffscreenTarget Target;
-  KernelPrograms Programs;
+  PictureOverlay Overlay;
   unsigned int DepthFramebuffer = 0;
-  unsigned int VertexArray = 0; // empty
 };
 }
 
