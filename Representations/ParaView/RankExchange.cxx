@@ -1,7 +1,7 @@
 #include "RankExchange.h"
 
 #include "Bricks/VolumeShare.h"
-#include "RankRanges.h"
+#include "RankArrays.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -307,19 +307,20 @@ Images ExchangeImages(
   {
     return Joined(own);
   }
-  const Places places = PlacesOfAll(own);
+  const Images common = WithCommonArrays(own);
+  const Places places = PlacesOfAll(common);
   if (AnyOverlap(places.All))
   {
     throw SceneError("blocks of different ranks overlap: what both hold would be drawn twice");
   }
+  const std::vector<double> ranges = GatheredFromAll(RangesOf(common));
   const bool filled = places.Joinable && FillBox(places.All);
   if (!filled && !layout.Moved)
   {
-    return own;
+    TellRanges(common, ranges);
+    return common;
   }
-  const Images marked = WithWholes(own, filled ? places.All : Images());
-  const std::vector<double> ranges =
-    GatheredFromAll(places.Joinable ? RangesOf(own) : std::vector<double>());
+  const Images marked = WithWholes(common, filled ? places.All : Images());
   Images pieces = Exchanged(marked, dataToWorld, layout.Boxes, layers);
   pieces = filled ? Joined(pieces) : pieces;
   const int rank = vtkMultiProcessController::GetGlobalController()->GetLocalProcessId();
@@ -335,11 +336,8 @@ Images ExchangeImages(
       CutToOwn(share, piece, own);
     }
     SetShare(piece, share);
-    if (places.Joinable)
-    {
-      TellRanges(piece, ranges);
-    }
   }
+  TellRanges(pieces, ranges);
   return pieces;
 }
 }

@@ -147,6 +147,36 @@ bool AnyOverlap(const std::vector<vtkBoundingBox>& boxes)
   return false;
 }
 
+// From one box into the next a line passes a plane on which one of them begins.
+int MostBehindEachOther(const std::vector<vtkBoundingBox>& boxes)
+{
+  vtkBoundingBox whole;
+  for (const vtkBoundingBox& box : boxes)
+  {
+    whole.AddBox(box);
+  }
+  const auto isSamePlane = [apart = TouchingTolerance * whole.GetMaxLength()](
+                             double one, double next) { return next - one <= apart; };
+  int valid = 0;
+  int planes = 0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    std::vector<double> lows;
+    for (const vtkBoundingBox& box : boxes)
+    {
+      if (box.IsValid())
+      {
+        lows.push_back(box.GetMinPoint()[axis]);
+      }
+    }
+    valid = static_cast<int>(lows.size());
+    std::sort(lows.begin(), lows.end());
+    planes += static_cast<int>(
+      std::distance(lows.begin(), std::unique(lows.begin(), lows.end(), isSamePlane)));
+  }
+  return std::clamp(planes - 2, 1, std::max(valid, 1));
+}
+
 RankLayout LayOutRanks(const RankVolumes& volumes)
 {
   const AllRanks all = Gather(volumes);

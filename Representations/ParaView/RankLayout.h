@@ -41,6 +41,9 @@ void ReduceRange(double range[2]);
 /// Whether two of the boxes have more in common than a face, up to rounding.
 bool AnyOverlap(const std::vector<vtkBoundingBox>& boxes);
 
+/// How many of boxes that do not overlap a line may pass through, at most; 1 without boxes.
+int MostBehindEachOther(const std::vector<vtkBoundingBox>& boxes);
+
 /// Indices of boxes so that none comes after one that it hides. Boxes that overlap keep their
 /// order.
 std::vector<std::size_t> BackToFront(const std::vector<vtkBoundingBox>& boxes, vtkCamera* camera);

@@ -54,7 +54,6 @@ void vtkVolumeBenchRepresentation::SetRepresentation(const char* technique)
 
 vtkVolumeBenchForwardMacro(Integrator, int);
 vtkVolumeBenchForwardMacro(StepVoxels, double);
-vtkVolumeBenchForwardMacro(ErrorTarget, double);
 vtkVolumeBenchForwardMacro(TerminationThreshold, double);
 vtkVolumeBenchForwardMacro(Skipping, bool);
 vtkVolumeBenchForwardMacro(MacrocellVoxels, int);
@@ -74,6 +73,12 @@ vtkVolumeBenchForwardMacro(LightingDamping, double);
 vtkVolumeBenchForwardMacro(ReferenceMethod, int);
 vtkVolumeBenchForwardMacro(Show, int);
 #undef vtkVolumeBenchForwardMacro
+
+void vtkVolumeBenchRepresentation::SetErrorTarget(double target)
+{
+  this->ErrorTarget = target;
+  this->ForwardErrorTarget();
+}
 
 void vtkVolumeBenchRepresentation::SetMemoryBudget(double mebibytes)
 {
@@ -321,6 +326,7 @@ void vtkVolumeBenchRepresentation::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "TechniqueBlendMode: " << this->TechniqueBlendMode << "\n";
+  os << indent << "ErrorTarget: " << this->ErrorTarget << "\n";
   os << indent << "GradientOpacity: " << this->GradientOpacity << "\n";
   os << indent << "GradientOpacityRange: " << this->GradientOpacityRange[0] << " "
      << this->GradientOpacityRange[1] << "\n";

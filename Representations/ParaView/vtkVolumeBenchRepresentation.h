@@ -59,7 +59,6 @@ public:
    */
   void SetIntegrator(int integrator);
   void SetStepVoxels(double step);
-  void SetErrorTarget(double target);
   void SetMemoryBudget(double mebibytes);
   void SetInteractiveFrameTime(double milliseconds);
   void SetTerminationThreshold(double threshold);
@@ -81,6 +80,12 @@ public:
   void SetReferenceMethod(int method);
   void SetShow(int show);
   ///@}
+
+  /**
+   * The mapper's error target, of the picture of all ranks together: of each it is the less the
+   * more of them can lie behind each other.
+   */
+  void SetErrorTarget(double target);
 
   /**
    * The mapper's blend mode. ParaView's own property goes to SetBlendMode and knows but three
@@ -169,6 +174,7 @@ private:
   bool RanksBlend(vtkPVRenderView* view, bool low);
   void UseLayer(vtkPVRenderView* view, bool low);
   void Redeliver(vtkInformation* request, vtkInformation* reply);
+  void ForwardErrorTarget();
   int GetLayers();
   void DrawDefaultArray();
   void SwitchVolumePeelingOff(vtkRenderer* renderer);
@@ -184,6 +190,7 @@ private:
   bool IsDrawn();
 
   int TechniqueBlendMode = 0;
+  double ErrorTarget = 0.0;
   bool GradientOpacity = false;
   double GradientOpacityRange[2] = { 0.0, 0.0 };
   vtkNew<vtkPiecewiseFunction> GradientFunction;

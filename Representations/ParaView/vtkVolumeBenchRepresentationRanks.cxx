@@ -56,12 +56,20 @@ bool AllRanksAgree(bool here)
   return all == 1;
 }
 
-vtkSmartPointer<vtkPartitionedDataSet> PartitionsOf(const volumebench::Images& images)
+// With the names of blocks, where there is one for each image.
+vtkSmartPointer<vtkPartitionedDataSet> PartitionsOf(
+  const volumebench::Images& images, vtkDataObject* blocks)
 {
+  auto* named = vtkPartitionedDataSet::SafeDownCast(blocks);
+  const bool sameBlocks = named && named->GetNumberOfPartitions() == images.size();
   auto data = vtkSmartPointer<vtkPartitionedDataSet>::New();
-  for (vtkImageData* image : images)
+  for (unsigned int i = 0; i < images.size(); ++i)
   {
-    data->SetPartition(data->GetNumberOfPartitions(), image);
+    data->SetPartition(i, images[i]);
+    if (sameBlocks && named->HasMetaData(i))
+    {
+      data->GetMetaData(i)->Copy(named->GetMetaData(i));
+    }
   }
   return data;
 }
@@ -187,6 +195,14 @@ void vtkVolumeBenchRepresentation::Spread(
     shown.GetBounds(bounds);
   }
   vtkPVRenderView::SetGeometryBounds(request, this, bounds);
+  this->ForwardErrorTarget();
+}
+
+// Errors of ranks behind each other add up as their squares do.
+void vtkVolumeBenchRepresentation::ForwardErrorTarget()
+{
+  const int ranks = volumebench::MostBehindEachOther(this->Ranks.Boxes);
+  this->GetMapper()->SetErrorTarget(this->ErrorTarget / std::sqrt(static_cast<double>(ranks)));
 }
 
 // The view takes a piece, and sorts the ranks anew, only where its pipeline has run since the last.
@@ -229,7 +245,7 @@ vtkSmartPointer<vtkDataObject> vtkVolumeBenchRepresentation::ExchangedData(
       this->OwnImages, this->Actor->GetMatrix(), layout, this->SpreadLayers);
     if (pieces != this->OwnImages)
     {
-      return PartitionsOf(pieces);
+      return PartitionsOf(pieces, layout.Moved ? nullptr : this->OwnData.Get());
     }
   }
   catch (const volumebench::SceneError& error)

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from paraview import simple
+from rank_blocks import blocks_held
 from support import (
     SIZE,
     color_by,
@@ -22,42 +23,6 @@ from support import (
 COLORS = [37.0, 0.1, 0.2, 0.9, 150.0, 0.9, 0.8, 0.2, 277.0, 1.0, 0.3, 0.1]
 HAZE = [(37, 0.0), (130, 0.2), (160, 0.02), (277, 0.5)]
 WALL = [(37, 0.0), (150, 0.0), (152, 1.0), (277, 1.0)]
-
-# Places blocks of the wavelet's field, 10 cells wide, on ranks: `places` of them along x, of which
-# this rank holds those that `held(rank, ranks)` names.
-BLOCKS = """
-import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtk
-from vtkmodules.vtkCommonCore import vtkFloatArray
-from vtkmodules.vtkCommonDataModel import vtkImageData
-from vtkmodules.vtkParallelCore import vtkMultiProcessController
-
-controller = vtkMultiProcessController.GetGlobalController()
-rank, ranks = controller.GetLocalProcessId(), controller.GetNumberOfProcesses()
-field = lambda x, y, z: (150 + 60 * np.sin(0.35 * x) * np.cos(0.3 * y) + 50 * np.cos(0.4 * z + 0.1 * x))
-blocks = []
-for place in {held}:
-    image = vtkImageData()
-    first = int(10 * place)
-    image.SetExtent(first, first + 10, 0, 16, 0, 16)
-    z, y, x = np.meshgrid(np.arange(17), np.arange(17), np.arange(first, first + 11), indexing="ij")
-    values = field(x, y, z).astype(np.float32).ravel()
-    array = numpy_to_vtk(values, deep=True)
-    array.SetName("RTData")
-    image.GetPointData().SetScalars(array)
-    blocks.append(image)
-output = self.GetOutputDataObject(0)
-for number, block in enumerate(blocks):
-    output.SetPartition(number, block)
-"""
-
-
-def blocks_held(held: str) -> Any:
-    """Return a partitioned data set of which each rank holds the blocks that an expression names."""
-    source = simple.ProgrammableSource(OutputDataSetType="vtkPartitionedDataSet")
-    source.Script = BLOCKS.format(held=held)
-    source.UpdatePipeline()
-    return source
 
 
 def wavelet(half: int = 10, **settings: Any) -> Any:
@@ -196,7 +161,7 @@ def samples(view: Any) -> None:
 
 
 def row_of_blocks(view: Any) -> None:
-    show_volume(view, blocks_held("[p for p in range(4) if p * ranks // 4 == rank]"))
+    show_volume(view, blocks_held())
     look(view, 60, 20)
 
 
@@ -223,11 +188,67 @@ def one_rank_has_all(view: Any) -> None:
 
 
 def lit_blocks(view: Any) -> None:
-    display = show_volume(
-        view, blocks_held("[p for p in range(4) if p * ranks // 4 == rank]"), opacity=WALL
-    )
-    display.Shade = 1
+    show_volume(view, blocks_held(), opacity=WALL).Shade = 1
     look(view, 20, 20)
+
+
+def multi_block(view: Any) -> None:
+    show_volume(view, blocks_held(kind="vtkMultiBlockDataSet"))
+    look(view, 60, 20)
+
+
+def non_overlapping_levels(view: Any) -> None:
+    """Blocks of two resolutions side by side, which ranks cannot join."""
+    show_volume(view, blocks_held(kind="vtkNonOverlappingAMR", fine=(1, 3)))
+    look(view, 60, 20)
+
+
+def levels_apart(view: Any) -> None:
+    """Both of one rank's levels lie between those of the other."""
+    held = "range(rank, 4, ranks)"
+    show_volume(view, blocks_held(held, kind="vtkNonOverlappingAMR", fine=(2, 3)))
+    look(view, -50, 20)
+
+
+def overlapping_levels(view: Any) -> None:
+    """Refused: the fine block lies in what the coarse ones hold."""
+    held = "[p for p in (0, 1, 0.5) if rank == (p != 0) * (ranks - 1)]"
+    places = (0, 1, 0.5)
+    show_volume(
+        view, blocks_held(held, kind="vtkOverlappingAMR", fine=(0.5,), places=places)
+    )
+    look(view)
+
+
+def other_arrays(view: Any) -> None:
+    """Ranks whose blocks have arrays that others do not have, and values of their own."""
+    source = blocks_held(other="['only here'] if rank == 0 else []", change="* (place + 1) / 4")
+    show_volume(view, source).TechniqueBlendMode = "Gradient"
+    look(view, 60, 20)
+
+
+def error_target(view: Any) -> None:
+    show_volume(view, wavelet()).ErrorTarget = 1e-3
+    look(view)
+
+
+def error_target_inside(view: Any) -> None:
+    inside(view)
+    simple.GetDisplayProperties(view=view).ErrorTarget = 1e-3
+
+
+def bright(view: Any) -> None:
+    show_volume(view, wavelet())
+    view.Background = [1.0, 0.9, 0.7]
+    look(view)
+
+
+def translucent_behind(view: Any) -> None:
+    """What is seen through lies behind the volume, whose parts all come over it."""
+    show_volume(view, wavelet())
+    plane = simple.Plane(Origin=[-14, -14, -14], Point1=[14, -14, -14], Point2=[-14, 14, -14])
+    simple.Show(plane, view, "GeometryRepresentation").Opacity = 0.5
+    look(view, 20, 10)
 
 
 def of_technique(label: str) -> Callable[[Any], None]:
@@ -273,6 +294,14 @@ def scenes() -> dict[str, Callable[[Any], None]]:
         interleaved_blocks,
         one_rank_has_all,
         lit_blocks,
+        multi_block,
+        non_overlapping_levels,
+        levels_apart,
+        other_arrays,
+        error_target,
+        error_target_inside,
+        bright,
+        translucent_behind,
     ]
     table = {function.__name__: function for function in named}
     for label in technique_labels():
@@ -280,9 +309,14 @@ def scenes() -> dict[str, Callable[[Any], None]]:
     return table
 
 
+def refused() -> dict[str, Callable[[Any], None]]:
+    """Return what sets up each scene that is not drawn, by its name."""
+    return {f.__name__: f for f in (overlapping_blocks, overlapping_levels)}
+
+
 def save_all(folder: Path, names: list[str]) -> None:
     for name in names:
-        draw = scenes().get(name, overlapping_blocks)
+        draw = (scenes() | refused())[name]
         view = new_view()
         draw(view)
         path = str(folder / f"{name}.png")

@@ -61,10 +61,11 @@ void MeasureOccupied(const std::vector<CellKind>& kinds, const Scene& scene, Cel
 }
 
 // The finest grade that some cell has, but none whose steps are too many along a ray for a software
-// renderer to end its loop.
+// renderer to end its loop. Processes that draw shares of a volume have other cells each, but cut a
+// ray where a finest step ends, so for them it is one that all would take.
 int FinestOf(const std::vector<std::int8_t>& grades, const Scene& scene)
 {
-  int finest = *std::min_element(grades.begin(), grades.end());
+  int finest = scene.Share ? FinestGrade : *std::min_element(grades.begin(), grades.end());
   finest = finest == ExactGrade ? 0 : finest;
   while (std::ldexp(LongestRaySteps(scene), -finest) > MostGradedSteps)
   {
