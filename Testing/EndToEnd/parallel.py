@@ -11,18 +11,15 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from paraview import servermanager, simple
+from paraview import simple
 from support import (
     SIZE,
-    blob,
     check_close,
     color_by,
     eighths,
-    image_data,
     load_plugin,
     look,
     new_view,
-    producer,
     read_png,
     run_checks,
     set_functions,
@@ -31,13 +28,14 @@ from support import (
     wavelet,
 )
 from vtkmodules.util.numpy_support import numpy_to_vtk
-from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPartitionedDataSet
+from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkIOImage import vtkNIFTIImageReader
 from vtkmodules.vtkIOXML import vtkXMLImageDataWriter
 
 MRI_FILE = Path("/usr/share/mricron/templates/ch2.nii.gz")
 MRI_SIZE = (181, 217, 181)
-SAME_PICTURE = 0.01
+SAME_PICTURE = 2e-3
+WORST_PIXEL = 4 / 255
 SCENES = ("wavelet", "blocks", "volume")
 # Ranks that wait leave the processor to those that draw.
 YIELD = ["--mca", "mpi_yield_when_idle", "1"]
@@ -90,9 +88,9 @@ def compare(folder: Path, what: str) -> None:
         ours = read_png(folder / f"{name}.png")
         check_close(other, ours, SAME_PICTURE, f"{what}, {name}")
         # A seam is a thin line of wrong pixels that a mean over the picture would forgive.
-        worst = np.abs(other - ours).max(axis=2)
-        print(f"  largest difference of a pixel {worst.max():.3f}")
-        assert np.quantile(worst, 0.995) < 0.02, f"{what}, {name}: a seam shows"
+        worst = np.abs(other - ours).max()
+        print(f"  largest difference of a pixel {worst:.3f}")
+        assert worst <= WORST_PIXEL, f"{what}, {name}: a seam shows"
         simple.ResetSession()
 
 
@@ -125,23 +123,13 @@ def draw(name: str, folder: Path, path: Path, remote: bool) -> None:
     assert distributed or not remote, "it was drawn by the client"
 
 
-def scenes(folder: Path, port: int | None) -> None:
-    """The other process: draw all scenes and leave their pictures."""
-    if port is not None:
-        simple.Connect("127.0.0.1", port)
-        load_plugin(remote=True)
+def scenes(folder: Path, port: int) -> None:
+    """The other process: draw all scenes on the server and leave their pictures."""
+    simple.Connect("127.0.0.1", port)
+    load_plugin(remote=True)
     load_plugin(remote=False)
     for name in SCENES:
-        draw(name, folder, folder / f"{name}-other.png", remote=port is not None)
-    if port is None:
-        _check_data_are_spread()
-
-
-def _check_data_are_spread() -> None:
-    image = simple.GetActiveSource().GetClientSideObject().GetOutputDataObject(0)
-    whole = np.prod(MRI_SIZE)
-    share = image.GetNumberOfPoints() / whole
-    assert 0.4 < share < 0.6, f"a rank has {share:.2f} of the data"
+        draw(name, folder, folder / f"{name}-other.png", remote=True)
 
 
 def write_volume(folder: Path) -> None:
@@ -191,7 +179,7 @@ def first_environment() -> dict[str, str]:
 
 def start(command: list[str]) -> subprocess.CompletedProcess:
     return subprocess.run(
-        command, capture_output=True, text=True, timeout=120, env=first_environment()
+        command, capture_output=True, text=True, timeout=240, env=first_environment()
     )
 
 
@@ -241,7 +229,7 @@ def wait_for(ready: Any, process: subprocess.Popen) -> None:
 
 if __name__ == "__main__":
     if sys.argv[1:2] == ["scenes"]:
-        scenes(Path(sys.argv[2]), int(sys.argv[3]) if len(sys.argv) > 3 else None)
+        scenes(Path(sys.argv[2]), int(sys.argv[3]))
     elif sys.argv[1:2] == ["beside"]:
         beside()
     else:
