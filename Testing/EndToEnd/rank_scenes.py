@@ -130,6 +130,16 @@ def geometry(view: Any) -> None:
     look(view, 40, 25)
 
 
+def out_of_sight(view: Any) -> None:
+    """Only a ball is in the picture, which one rank draws."""
+    show_volume(view, wavelet())
+    ball = simple.Sphere(Center=(90, 10, 0), Radius=6.0)
+    simple.Show(ball, view, "GeometryRepresentation").SetRepresentationType("Surface")
+    camera = view.GetActiveCamera()
+    camera.SetPosition(90, 10, 60)
+    camera.SetFocalPoint(90, 10, 0)
+
+
 def two_volumes(view: Any) -> None:
     """Two volumes apart, the cuts of which between ranks do not meet."""
     show_volume(view, wavelet())
@@ -167,7 +177,9 @@ def row_of_blocks(view: Any) -> None:
 
 def blocks_apart(view: Any) -> None:
     """Ranks whose boxes do not touch, seen so that the last one is in front."""
-    show_volume(view, blocks_held("[p for p in (0, 2) if rank == (p > 0) * (ranks - 1)]"))
+    show_volume(
+        view, blocks_held("[p for p in (0, 2) if rank == (p > 0) * (ranks - 1)]")
+    )
     look(view, -70, 10)
 
 
@@ -178,7 +190,9 @@ def interleaved_blocks(view: Any) -> None:
 
 def overlapping_blocks(view: Any) -> None:
     """Refused: what both ranks hold would be drawn twice."""
-    show_volume(view, blocks_held("[p for p in (0, 0.5) if rank == (p > 0) * (ranks - 1)]"))
+    show_volume(
+        view, blocks_held("[p for p in (0, 0.5) if rank == (p > 0) * (ranks - 1)]")
+    )
     look(view)
 
 
@@ -222,19 +236,25 @@ def overlapping_levels(view: Any) -> None:
 
 def other_arrays(view: Any) -> None:
     """Ranks whose blocks have arrays that others do not have, and values of their own."""
-    source = blocks_held(other="['only here'] if rank == 0 else []", change="* (place + 1) / 4")
+    source = blocks_held(
+        other="['only here'] if rank == 0 else []", change="* (place + 1) / 4"
+    )
     show_volume(view, source).TechniqueBlendMode = "Gradient"
     look(view, 60, 20)
 
 
 def error_target(view: Any) -> None:
-    show_volume(view, wavelet()).ErrorTarget = 1e-3
-    look(view)
+    """Ranks with more to draw and less, which would take steps of other lengths."""
+    exact(view)
+    display = simple.GetDisplayProperties(view=view)
+    display.SetRepresentationType("Volume Single Pass")
+    display.ErrorTarget = 1e-2
 
 
-def error_target_inside(view: Any) -> None:
-    inside(view)
-    simple.GetDisplayProperties(view=view).ErrorTarget = 1e-3
+def exact(view: Any) -> None:
+    source = blocks_held(change="* (place + 1) / 4")
+    show_volume(view, source, "Volume Reference")
+    look(view, 60, 20)
 
 
 def bright(view: Any) -> None:
@@ -246,7 +266,9 @@ def bright(view: Any) -> None:
 def translucent_behind(view: Any) -> None:
     """What is seen through lies behind the volume, whose parts all come over it."""
     show_volume(view, wavelet())
-    plane = simple.Plane(Origin=[-14, -14, -14], Point1=[14, -14, -14], Point2=[-14, 14, -14])
+    plane = simple.Plane(
+        Origin=[-14, -14, -14], Point1=[14, -14, -14], Point2=[-14, 14, -14]
+    )
     simple.Show(plane, view, "GeometryRepresentation").Opacity = 0.5
     look(view, 20, 10)
 
@@ -283,6 +305,7 @@ def scenes() -> dict[str, Callable[[Any], None]]:
         moved,
         cells,
         geometry,
+        out_of_sight,
         default_functions,
         maximum,
         samples,
@@ -299,7 +322,7 @@ def scenes() -> dict[str, Callable[[Any], None]]:
         levels_apart,
         other_arrays,
         error_target,
-        error_target_inside,
+        exact,
         bright,
         translucent_behind,
     ]
