@@ -84,6 +84,19 @@ StoredFunction::Polynomial StoredFunction::FitOne(std::size_t piece, double low,
   return powers;
 }
 
+// In parts, from the first one's begin. A value that rounding takes out of a narrow piece may lie
+// many times its width away.
+inline double StoredFunction::PositionOf(const Piece& piece, double stored)
+{
+  return std::clamp(
+    (stored - piece.Begin) * piece.PerStored, 0.0, static_cast<double>(piece.Count));
+}
+
+inline int StoredFunction::PartOf(const Piece& piece, double position)
+{
+  return std::clamp(static_cast<int>(position), 0, piece.Count - 1);
+}
+
 bool StoredFunction::Fit(std::size_t index, double low, double high, int count)
 {
   constexpr std::array<double, 6> Checks{ 0.01, 0.2, 0.39, 0.61, 0.8, 0.99 };
@@ -97,6 +110,11 @@ bool StoredFunction::Fit(std::size_t index, double low, double high, int count)
     this->Exact->InPiece(index, this->DataValue(high)).w);
   piece.Least = FitTolerance * largest;
   const glm::dvec4 tolerance = FitTolerance * glm::dvec4(1.0, 1.0, 1.0, largest);
+  const auto difference = [&](double stored)
+  {
+    return glm::abs(
+      this->InPolynomial(piece, stored) - this->Exact->InPiece(index, this->DataValue(stored)));
+  };
   bool fits = std::isfinite(piece.PerStored);
   for (int i = 0; i < count && fits; ++i)
   {
@@ -105,9 +123,9 @@ bool StoredFunction::Fit(std::size_t index, double low, double high, int count)
     for (const double share : Checks)
     {
       const double stored = from + share * width;
-      const glm::dvec4 difference = glm::abs(
-        this->InPolynomial(piece, stored) - this->Exact->InPiece(index, this->DataValue(stored)));
-      fits = fits && glm::all(glm::lessThanEqual(difference, tolerance));
+      // Where rounding takes values into other parts, a piece is too narrow for parts.
+      fits = fits && PartOf(piece, PositionOf(piece, stored)) == i;
+      fits = fits && glm::all(glm::lessThanEqual(difference(stored), tolerance));
     }
   }
   if (!fits)
@@ -126,10 +144,8 @@ std::size_t StoredFunction::PieceOf(double stored) const
 
 inline glm::dvec4 StoredFunction::InPolynomial(const Piece& piece, double stored) const
 {
-  // A value that rounding takes out of a narrow piece may lie many times its width away.
-  const double position =
-    std::clamp((stored - piece.Begin) * piece.PerStored, 0.0, static_cast<double>(piece.Count));
-  const int part = std::clamp(static_cast<int>(position), 0, piece.Count - 1);
+  const double position = PositionOf(piece, stored);
+  const int part = PartOf(piece, position);
   const double x = 2.0 * (position - part) - 1.0;
   const Polynomial& p = this->Polynomials[piece.First + part];
   glm::dvec4 value = p[Degree];

@@ -54,6 +54,9 @@ private:
     double Least = 0.0;     // extinction that can be told from rounding
   };
 
+  static double PositionOf(const Piece& piece, double stored);
+  static int PartOf(const Piece& piece, double position);
+
   double DataValue(double stored) const;
   bool Fit(std::size_t piece, double low, double high, int count);
   Polynomial FitOne(std::size_t piece, double low, double high) const;
