@@ -26,7 +26,7 @@ double Correlation(int right, int up, int seed, int otherSeed)
   double sum = 0.0;
   for (int y = 0; y < Side; ++y)
   {
-    for (int x = 0; x < Side; ++x)
+    for (int x = 1; x <= Side; ++x) // left of the first pixel is none
     {
       sum += (ShareOf(x, y, seed) - 0.5) * (ShareOf(x + right, y + up, otherSeed) - 0.5);
     }
