@@ -25,6 +25,19 @@ report_share() {
   echo "pytest$name: $(closing_line "$logs/pytest$name.log" ' in [0-9.]+s')"
 }
 
+# All tests but the long ones, under the sanitizers. Those of the Python package run none of our C++.
+run_sanitized() {
+  local log="$root/build/asan/Testing/ctest.log" status=0
+  build asan
+  choose_display own
+  cd "$root" || return
+  mkdir -p "$root/build/asan/Testing"
+  guard logged "$log" ctest --preset asan -j2 || status=$?
+  echo
+  echo "ctest, sanitized: $(closing_line "$log" 'tests passed|No tests')"
+  return "$status"
+}
+
 # All tests but the long ones; with --long these too, one at a time, after all else.
 run_tests() {
   local status=0

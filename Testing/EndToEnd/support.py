@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from lost_memory import report_lost_memory
 from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.util.vtkConstants import VTK_STRING
@@ -329,6 +330,7 @@ def run_checks(names: dict[str, Any]) -> None:
     else:
         print("PASSED", flush=True)
     sys.stdout.flush()
+    report_lost_memory()
     # Leaving through the interpreter would run ParaView's own teardown, which is not under test.
     os._exit(1 if failed or not ran else 0)
 

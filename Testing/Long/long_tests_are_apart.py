@@ -12,12 +12,11 @@ RECORDING_TOOLS = """
 set -euo pipefail
 root=$1 python=python
 source "$2/Tools/tests.sh"
-build() { mkdir -p "$root/build/dev/Testing"; echo "build $*"; }
+build() { mkdir -p "$root/build/$1/Testing"; echo "build $*"; }
 choose_display() { :; }
 guard() { echo "$*" >&2; "$@"; }
 logged() { echo '1 tests passed in 1s' >"$1"; [[ "$*" != *"$FAILS"* ]]; }
 shift 2
-run_tests "$@"
 """
 
 
@@ -57,11 +56,16 @@ def check_pytest() -> None:
     check_apart(pytest_names("-m", ""), quick, pytest_names("-m", "long"))
 
 
-def commands_of_run(*options: str, fails: str = "nothing") -> tuple[list[str], int]:
+def commands_of_run(
+    *options: str, fails: str = "nothing", function: str = "run_tests"
+) -> tuple[list[str], int]:
     """Return what `./run test` would start, in order, and its exit status."""
     with tempfile.TemporaryDirectory() as folder:
         done = subprocess.run(
-            ["bash", "-c", RECORDING_TOOLS, "recording-tools", folder, str(ROOT), *options],
+            [
+                *("bash", "-c", f"{RECORDING_TOOLS}\n{function} \"$@\"", "recording-tools"),
+                *(folder, str(ROOT), *options),
+            ],
             capture_output=True,
             text=True,
             env={"PATH": "/usr/bin:/bin", "FAILS": fails},
@@ -80,6 +84,10 @@ def check_run() -> None:
         started, status = commands_of_run("--long", fails=command)
         assert started == quick + long, f"{command} fails: {started}"
         assert status == 1, f"{command} fails, and ./run test does not"
+    for fails in ("nothing", "ctest"):
+        started, status = commands_of_run(fails=fails, function="run_sanitized")
+        assert started == ["ctest --preset asan -j2"], started
+        assert status == (fails != "nothing"), f"sanitized, {fails} fails: {status}"
 
 
 if __name__ == "__main__":

@@ -16,6 +16,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from lost_memory import report_lost_memory
 from paraview import simple
 from PyQt5.QtCore import QPoint, Qt, QTimer
 from PyQt5.QtTest import QTest
@@ -332,6 +333,7 @@ def run_script(name: str, only: list[str]) -> None:
         failed = [one for one, check in checks.items() if not _passes(one, check)]
         good = bool(checks) and not failed
         report("PASSED" if good else f"FAILED: {' '.join(failed) or 'no checks'}")
+        report_lost_memory()
         os._exit(0 if good else 1)
 
     def guarded() -> None:
