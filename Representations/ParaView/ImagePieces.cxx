@@ -21,8 +21,9 @@ namespace volumebench
 {
 namespace
 {
-constexpr double SameSpacing = 1e-9; // relative
-constexpr double OnLattice = 1e-6;   // of a voxel's edge
+constexpr double SameSpacing = 1e-9;  // relative
+constexpr double OnLattice = 1e-6;    // of a voxel's edge
+constexpr double FarthestIndex = 1e6; // the cells of a box with such corners can be counted
 
 bool SameDirections(vtkImageData* first, vtkImageData* second)
 {
@@ -61,13 +62,17 @@ bool ExtentOnLattice(vtkImageData* first, vtkImageData* piece, Extent& extent)
   {
     const double spacing = first->GetSpacing()[axis];
     const double shift = std::round(middle[axis]);
-    if (std::abs(piece->GetSpacing()[axis] - spacing) > SameSpacing * std::abs(spacing) ||
-      std::abs(middle[axis] - shift) > OnLattice)
+    const double begin = piece->GetExtent()[2 * axis] + shift;
+    const double end = piece->GetExtent()[2 * axis + 1] + shift;
+    // A place that is not finite is on no lattice.
+    const bool here = std::abs(middle[axis] - shift) <= OnLattice &&
+      std::max(std::abs(begin), std::abs(end)) <= FarthestIndex;
+    if (std::abs(piece->GetSpacing()[axis] - spacing) > SameSpacing * std::abs(spacing) || !here)
     {
       return false;
     }
-    extent[2 * axis] = piece->GetExtent()[2 * axis] + static_cast<int>(shift);
-    extent[2 * axis + 1] = piece->GetExtent()[2 * axis + 1] + static_cast<int>(shift);
+    extent[2 * axis] = static_cast<int>(begin);
+    extent[2 * axis + 1] = static_cast<int>(end);
   }
   return SameDirections(first, piece);
 }

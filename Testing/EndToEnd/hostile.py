@@ -32,6 +32,7 @@ from support import (
     temporary_folder,
 )
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkMultiBlockDataSet
+from vtkmodules.vtkIOXML import vtkXMLImageDataWriter
 
 OPACITY = [0, 0, 0.5, 0, 1, 0.4, 0.5, 0]
 COLORS = [0, 0.1, 0.2, 0.9, 1, 0.9, 0.5, 0.1]
@@ -42,6 +43,7 @@ class Stage:
 
     def __init__(self, label: str, folder: Path) -> None:
         self.folder = folder
+        self.label = label
         self.view = new_view((80, 80))
         self.source = producer(image_data(blob(), "values"))
         self.display = show(self.source, self.view, label)
@@ -85,7 +87,9 @@ class Stage:
         reader = make_reader(path)
         self.files.append(reader)
         try:
-            simple.Show(reader, self.view)
+            display = simple.Show(reader, self.view)
+            if "Representation" in display.ListProperties():
+                display.SetRepresentationType(self.label)
         except RuntimeError as fault:  # ParaView knows no representation for no data
             print(f"    {fault}")
 
@@ -158,6 +162,16 @@ def broken_image(change: Callable[[vtkImageData], None]) -> vtkImageData:
     return image
 
 
+def far_blocks(far: float) -> vtkMultiBlockDataSet:
+    """Return two images, the second so many voxels away on all axes."""
+    blocks = vtkMultiBlockDataSet()
+    for number, origin in enumerate((0.0, far)):
+        image = image_data(blob(8), "values")
+        image.SetOrigin(origin, origin, origin)
+        blocks.SetBlock(number, image)
+    return blocks
+
+
 def rows_of_data() -> list[Row]:
     nan = math.nan
     hole = blob(8)
@@ -183,6 +197,7 @@ def rows_of_data() -> list[Row]:
             "direction matrix",
         ),
         with_data("one block of none", vtkMultiBlockDataSet, "no block of the"),
+        with_data("blocks far apart", lambda: far_blocks(1e13), "", True),
         with_data("no points", vtkImageData, "the image is empty"),
     ]
 
@@ -214,13 +229,27 @@ def write_text(folder: Path, name: str, text: str) -> Path:
     return path
 
 
-def with_file(name: str, reader: str, write: Callable[[Path], Path]) -> Row:
+def write_cut_image(folder: Path) -> Path:
+    """Write a file of VTK's that ends in the midst of its values."""
+    path = folder / "cut.vti"
+    writer = vtkXMLImageDataWriter()
+    writer.SetFileName(str(path))
+    writer.SetInputData(image_data(blob(8), "values"))
+    writer.Write()
+    written = path.read_bytes()
+    path.write_bytes(written[: len(written) // 2])
+    return path
+
+
+def with_file(
+    name: str, reader: str, write: Callable[[Path], Path], told: str = ""
+) -> Row:
     def open_it(stage: Stage) -> None:
         maker = getattr(simple, reader)
         path = write(stage.folder)
         stage.open(lambda p: maker(FileName=str(p)), path)
 
-    return Row(name, open_it, told=name)
+    return Row(name, open_it, "the image ", told=told or name)
 
 
 def rows_of_files() -> list[Row]:
@@ -233,6 +262,7 @@ def rows_of_files() -> list[Row]:
             "PVMReader",
             lambda f: write_text(f, "cut.pvm", "PVM\n4 4 4\n1\nab"),
         ),
+        with_file("cut.vti", "XMLImageDataReader", write_cut_image, "too short"),
         with_file(
             "gone.raw", "VoreenReader", lambda f: write_text(f, "gone.dat", voreen)
         ),
