@@ -146,6 +146,7 @@ function(volumebench_generate_plugin_xml files_variable)
   volumebench_generate_xml("${rows}/Representations.xml.in" representations_xml
     "DEVICE_ROWS=${rows}/DeviceRows.xml.in"
     "OPENCL_ROWS=${rows}/OpenClRows.xml.in"
+    "SLICE_ROWS=${rows}/SliceRows.xml.in"
     "READ_ONLY_ROWS=${rows}/ReadOnlyRows.xml.in"
     "PANEL_GROUPS=${rows}/PanelGroups.xml.in")
   volumebench_generate_xml("${benchmark}/Benchmark.xml.in" benchmark_xml)

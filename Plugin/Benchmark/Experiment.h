@@ -12,7 +12,7 @@
 #include "ExperimentSettings.h"
 #include "Error/ImageError.h"
 #include "PerceivedError.h"
-#include "SampleCount.h"
+#include "Questions/SampleCount.h"
 #include "Statistics.h"
 #include "Techniques/Technique.h"
 

@@ -5,7 +5,7 @@
 
 #include "VolumeBenchBenchmarkModule.h"
 
-#include "SampleCount.h"
+#include "Questions/SampleCount.h"
 
 #include "vtkSmartPointer.h"
 

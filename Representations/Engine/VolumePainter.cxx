@@ -241,7 +241,8 @@ void VolumePainter::Draw(vtkVolumeBenchMapper* mapper, vtkRenderer* renderer, vt
   this->Frames.End();
   for (const PartScene& scene : scenes)
   {
-    scene.Drawn->LeftOut = FeaturesLeftOut(scene.Scene, scene.Drawn->Technique->GetFeatures());
+    scene.Drawn->Features = scene.Drawn->Technique->GetFeatures();
+    scene.Drawn->LeftOut = FeaturesLeftOut(scene.Scene, scene.Drawn->Features);
   }
   this->FullScaleSamples = mapper->GetShow() == vtkVolumeBenchMapper::Picture
     ? std::numeric_limits<double>::quiet_NaN()
@@ -275,7 +276,7 @@ void VolumePainter::Mark(
 }
 
 void VolumePainter::DrawOffscreen(vtkVolumeBenchMapper* mapper, vtkRenderer* renderer,
-  vtkVolume* volume, const std::string& technique)
+  vtkVolume* volume, const std::string& technique, const Measurement& measurement)
 {
   this->UseTechnique(technique);
   this->UseWindow(renderer);
@@ -284,7 +285,7 @@ void VolumePainter::DrawOffscreen(vtkVolumeBenchMapper* mapper, vtkRenderer* ren
     this->ScenesBackToFront(mapper, renderer, volume, { 0, 0, viewport.z, viewport.w });
   for (PartScene& scene : scenes)
   {
-    scene.Scene.Measurement = {};
+    scene.Scene.Measurement = measurement;
     scene.Scene.Sampling.Method = ReferenceMethod::CellExact;
   }
   this->PrepareAll(scenes);

@@ -38,9 +38,9 @@ public:
     vtkVolumeBenchMapper* mapper, vtkRenderer* renderer, vtkVolume* volume, const glm::vec3& color);
 
   /// Draws the picture with a technique beside the window, hidden by what the window shows as the
-  /// picture in it is, and waits until it is done.
+  /// picture in it is, and waits until it is done. With CountSamples it is one of counts.
   void DrawOffscreen(vtkVolumeBenchMapper* mapper, vtkRenderer* renderer, vtkVolume* volume,
-    const std::string& technique);
+    const std::string& technique, const Measurement& measurement = {});
 
   /// What DrawOffscreen drew.
   FloatPicture ReadOffscreen();
@@ -78,7 +78,8 @@ private:
   {
     SceneBuilder Builder;
     std::unique_ptr<volumebench::Technique> Technique;
-    std::string Name; // of the block, for messages
+    std::string Name;    // of the block, for messages
+    FeatureSet Features; // of the last picture in the window
     std::vector<LeftOutFeature> LeftOut;
   };
 

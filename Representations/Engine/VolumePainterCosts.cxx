@@ -27,7 +27,7 @@ FeatureSet VolumePainter::GetFeatures() const
   FeatureSet features;
   for (const std::unique_ptr<Part>& part : this->Parts)
   {
-    features |= part->Technique->GetFeatures();
+    features |= part->Features;
   }
   return features;
 }

@@ -2,6 +2,7 @@
 
 #include "Error/ErrorEstimator.h"
 #include "Gpu/LayerPicture.h"
+#include "Questions/SampleCounter.h"
 #include "VolumePainter.h"
 
 #include "vtkBoundingBox.h"
@@ -29,6 +30,7 @@ struct vtkVolumeBenchMapper::Internals
   volumebench::VolumePainter Painter;
   volumebench::ErrorEstimator Estimator;
   std::shared_ptr<volumebench::LayerPicture> Layer;
+  volumebench::SampleCounter Counter;
   std::string Failure;
   bool Unsupported = false;
 
@@ -119,6 +121,7 @@ void vtkVolumeBenchMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
   if (!renderer->GetSelector())
   {
     this->Internal->Estimator.FollowFrame(this, renderer, volume, this->Internal->Painter, failure);
+    this->Internal->Counter.FollowFrame(this, renderer, volume, this->Internal->Painter, failure);
   }
 }
 
@@ -130,6 +133,16 @@ void vtkVolumeBenchMapper::EstimateError()
 volumebench::ErrorEstimate vtkVolumeBenchMapper::GetErrorEstimate()
 {
   return this->Internal->Estimator.Get(this);
+}
+
+void vtkVolumeBenchMapper::AskForSamples()
+{
+  this->Internal->Counter.Request();
+}
+
+volumebench::SamplesTaken vtkVolumeBenchMapper::GetSamplesTaken()
+{
+  return this->Internal->Counter.Get(this);
 }
 
 void vtkVolumeBenchMapper::ReleaseGraphicsResources(vtkWindow* window)
@@ -289,10 +302,6 @@ void vtkVolumeBenchMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SliceOrder: " << this->SliceOrder << "\n";
   os << indent << "ReferenceMethod: " << this->ReferenceMethod << "\n";
   os << indent << "LightingDamping: " << this->LightingDamping << "\n";
-  os << indent << "CountSamples: " << this->CountSamples << "\n";
-  os << indent << "Show: " << this->Show << "\n";
-  os << indent << "TimeStages: " << this->TimeStages << "\n";
-  os << indent << "TimeFrames: " << this->TimeFrames << "\n";
   os << indent << "VectorMode: " << this->VectorMode << "\n";
   os << indent << "VectorComponent: " << this->VectorComponent << "\n";
   os << indent << "Failure: " << this->Internal->Failure << "\n";

@@ -16,7 +16,7 @@
 #define vtkVolumeBenchMapper_h
 
 #include "VolumeBenchEngineModule.h" // for the export macro
-#include "vtkVolumeBenchLimits.h"
+#include "vtkVolumeBenchMeasuring.h"
 
 #include <memory> // for Internals
 #include <string> // for messages
@@ -26,15 +26,16 @@ namespace volumebench
 {
 class LayerPicture;
 struct ErrorEstimate;
+struct SamplesTaken;
 struct SetUpCosts;
 struct StageTime;
 }
 
-class VOLUMEBENCHENGINE_EXPORT vtkVolumeBenchMapper : public vtkVolumeBenchLimits
+class VOLUMEBENCHENGINE_EXPORT vtkVolumeBenchMapper : public vtkVolumeBenchMeasuring
 {
 public:
   static vtkVolumeBenchMapper* New();
-  vtkTypeMacro(vtkVolumeBenchMapper, vtkVolumeBenchLimits);
+  vtkTypeMacro(vtkVolumeBenchMapper, vtkVolumeBenchMeasuring);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   enum VectorModes
@@ -246,47 +247,6 @@ public:
   vtkGetMacro(LightingDamping, double);
   ///@}
 
-  ///@{
-  /**
-   * For measuring: instead of the picture, draws samples taken (red), samples skipped (green) and
-   * whether the ray was terminated (blue), to be summed over a float target. Default off.
-   */
-  vtkSetMacro(CountSamples, bool);
-  vtkGetMacro(CountSamples, bool);
-  vtkBooleanMacro(CountSamples, bool);
-  ///@}
-
-  enum Shows
-  {
-    Picture = 0,
-    SamplesPerPixel = 1
-  };
-
-  ///@{
-  /**
-   * What is drawn: Picture (default) or SamplesPerPixel, for looking at what a picture costs: each
-   * pixel in a colour from dark blue (none) to yellow (GetFullScaleSamples or more) by the samples
-   * that its ray takes, and nothing where it takes none. Technique reference and inputs of several
-   * blocks have no such view.
-   */
-  vtkSetMacro(Show, int);
-  vtkGetMacro(Show, int);
-  ///@}
-
-  ///@{
-  /**
-   * For measuring: times each stage of a frame, which makes the frame slower; for showing: keeps
-   * the time of the last still picture, for GetFrameMs. A software renderer has to finish what
-   * comes before and after the frame. Both off by default.
-   */
-  vtkSetMacro(TimeStages, bool);
-  vtkGetMacro(TimeStages, bool);
-  vtkBooleanMacro(TimeStages, bool);
-  vtkSetMacro(TimeFrames, bool);
-  vtkGetMacro(TimeFrames, bool);
-  vtkBooleanMacro(TimeFrames, bool);
-  ///@}
-
   /** Where pictures go, except selections: the bound framebuffer (none, default), or a layer. */
   void SetLayer(const std::shared_ptr<volumebench::LayerPicture>& layer);
 
@@ -353,6 +313,13 @@ public:
    */
   volumebench::ErrorEstimate GetErrorEstimate();
 
+  /**
+   * The same for the samples that the next still picture takes: it is drawn once more, off-screen,
+   * by kernels that count. Until then nothing is counted, and no picture costs more.
+   */
+  void AskForSamples();
+  volumebench::SamplesTaken GetSamplesTaken();
+
 protected:
   vtkVolumeBenchMapper();
   ~vtkVolumeBenchMapper() override;
@@ -381,10 +348,6 @@ protected:
   int SliceOrder = 0;
   int ReferenceMethod = 0;
   double LightingDamping = 0.0;
-  bool CountSamples = false;
-  int Show = Picture;
-  bool TimeStages = false;
-  bool TimeFrames = false;
   int VectorMode = Component;
   int VectorComponent = 0;
 

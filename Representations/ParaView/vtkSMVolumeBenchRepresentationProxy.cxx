@@ -24,7 +24,7 @@ namespace
 {
 // Known only to a process that has drawn the picture.
 constexpr const char* PictureRows[] = { "UsedText", "LeftOutText", "LastFrameMs",
-  "FullScaleSamples", "OpenclDevices" };
+  "FullScaleSamples", "SamplesText", "SamplesTaken", "SamplesPerRay", "OpenclDevices" };
 
 constexpr const char* ErrorRows[] = { "ErrorText", "ErrorRmse", "LargestError", "ReferenceSeconds",
   "FrameMs" };

@@ -31,6 +31,7 @@ namespace volumebench
 {
 struct Block;
 struct ErrorEstimate;
+struct SamplesTaken;
 }
 
 class vtkCompositeDataSet;
@@ -130,6 +131,17 @@ public:
 
   ///@{
   /**
+   * vtkVolumeBenchMapper::AskForSamples, on one rank, and what it finds of the next still picture
+   * of this process.
+   */
+  void CountSamples();
+  double GetSamplesTaken();
+  double GetSamplesPerRay();
+  const char* GetSamplesText();
+  ///@}
+
+  ///@{
+  /**
    * Asks all ranks of pvbatch what the last still picture took of them: time, voxels with those of
    * neighbours, and the memory of the process. To be called on all of them.
    */
@@ -187,6 +199,7 @@ private:
   void ForwardGradientOpacity(vtkVolumeProperty* property);
   vtkVolumeBenchMapper* GetMapper();
   volumebench::ErrorEstimate GetErrorEstimate();
+  volumebench::SamplesTaken GetSamples();
   bool IsDrawn();
 
   int TechniqueBlendMode = 0;
@@ -215,9 +228,11 @@ private:
   double OwnRange[2] = { 1.0, 0.0 };     // of the values of the default array
   double DefaultRange[2] = { 1.0, 0.0 }; // of the values of the default array on all ranks
   vtkTimeStamp SpreadTime;
-  std::string Failure;      // said once, not at every render
-  std::string ErrorRefusal; // why no error can be estimated
-  std::string ErrorText;    // these live as long as who asked for them needs
+  std::string Failure;        // said once, not at every render
+  std::string ErrorRefusal;   // why no error can be estimated
+  std::string SamplesRefusal; // why no samples can be counted
+  std::string SamplesText;
+  std::string ErrorText; // these live as long as who asked for them needs
   std::string UsedText;
   std::string LeftOutText;
   vtkWeakPointer<vtkRenderer> Unpeeled; // whose volume peeling was on and is off for us

@@ -3,6 +3,7 @@
 #include "vtkVolumeBenchRepresentation.h"
 
 #include "OpenCl/OpenClDevices.h"
+#include "Questions/SamplesTaken.h"
 #include "vtkVolumeBenchMapper.h"
 
 #include "vtkDataObject.h"
@@ -20,6 +21,8 @@
 
 namespace
 {
+constexpr const char* NotCounted = "not counted: ";
+
 // Of this process; 0 where the system does not tell.
 double ResidentMebibytes()
 {
@@ -58,6 +61,56 @@ double vtkVolumeBenchRepresentation::GetFullScaleSamples()
 double vtkVolumeBenchRepresentation::GetLastFrameMs()
 {
   return this->IsDrawn() ? this->GetMapper()->GetFrameMs() : vtkMath::Nan();
+}
+
+void vtkVolumeBenchRepresentation::CountSamples()
+{
+  this->SamplesRefusal.clear();
+  if (!volumebench::IsAlone())
+  {
+    this->SamplesRefusal = "Count Samples works on one rank so far";
+  }
+  else if (!this->GetVisibility())
+  {
+    this->SamplesRefusal = "the volume is not shown";
+  }
+  else
+  {
+    this->GetMapper()->AskForSamples();
+  }
+}
+
+volumebench::SamplesTaken vtkVolumeBenchRepresentation::GetSamples()
+{
+  const volumebench::SamplesTaken known = this->GetMapper()->GetSamplesTaken();
+  volumebench::SamplesTaken none;
+  if (!this->SamplesRefusal.empty())
+  {
+    none.Text = NotCounted + this->SamplesRefusal;
+    return none;
+  }
+  if (!this->Failure.empty() && !known.Text.empty()) // of which the mapper knows nothing
+  {
+    none.Text = NotCounted + this->Failure;
+    return none;
+  }
+  return known;
+}
+
+double vtkVolumeBenchRepresentation::GetSamplesTaken()
+{
+  return this->GetSamples().Taken;
+}
+
+double vtkVolumeBenchRepresentation::GetSamplesPerRay()
+{
+  return this->GetSamples().PerRay;
+}
+
+const char* vtkVolumeBenchRepresentation::GetSamplesText()
+{
+  this->SamplesText = this->GetSamples().Text;
+  return this->SamplesText.c_str();
 }
 
 void vtkVolumeBenchRepresentation::AskRanks()

@@ -26,7 +26,8 @@ from support import (
     wavelet,
 )
 
-ROWS = {"LastFrameMs": "default", "UsedText": "advanced", "LeftOutText": "default"}
+SAMPLES = ("SamplesTaken", "SamplesPerRay")
+ROWS = {"LastFrameMs": "default", "UsedText": "advanced", "LeftOutText": "default", "SamplesText": "default"}
 HAZE = [(37.0, 0.0), (277.0, 0.01)]
 WALL = [(37.0, 0.0), (200.0, 0.0), (277.0, 0.9)]
 COLORS = [37.0, 0.1, 0.2, 0.9, 277.0, 1.0, 0.3, 0.1]
@@ -187,6 +188,41 @@ def check_samples_are_shown_with_their_scale() -> None:
     assert len(messages) == 1 and "takes no samples" in messages[0], messages
 
 
+def counted(display: Any, view: Any) -> tuple[float, float, str]:
+    """Press Count Samples; return samples, samples per ray and the row's text."""
+    display.SMProxy.InvokeCommand("CountSamples")
+    simple.Render(view)
+    return samples_of(display)
+
+
+def samples_of(display: Any) -> tuple[float, float, str]:
+    numbers = (display.GetProperty(name).GetData() for name in SAMPLES)
+    return *numbers, text_of(display, "SamplesText")
+
+
+def check_samples_are_counted_when_asked_for() -> None:
+    view, display = drawn_wavelet(WALL)
+    for label in technique_labels():
+        display.SetRepresentationType(label)
+        simple.Render(view)
+        expect_left_out(display, "sample count", "the picture is drawn")
+        taken, per_ray, text = counted(display, view)
+        pixels = capture(view, count_samples=True)
+        assert taken == pixels[..., 0].sum() > 0, (label, taken, pixels[..., 0].sum())
+        rays = np.count_nonzero(pixels[..., 0] + pixels[..., 1])
+        assert math.isclose(per_ray, taken / rays), (label, per_ray, taken / rays)
+        assert f" {per_ray:.4g} per ray; " in text, f"{label}: {text}"
+        expect_left_out(display, "sample count", "the picture is drawn")
+    view.GetActiveCamera().Azimuth(4)
+    simple.Render(view)
+    *numbers, old = samples_of(display)
+    assert all(map(math.isnan, numbers)) and old == f"{text}: out of date", old
+    display.SetRepresentationType("Surface")
+    *numbers, refusal = counted(display, view)
+    assert all(map(math.isnan, numbers)), numbers
+    assert refusal == "not counted: the volume is not shown", refusal
+
+
 def scale_of(display: Any) -> float:
     """Return how many samples are yellow."""
     return display.GetProperty("FullScaleSamples").GetData()
@@ -211,6 +247,8 @@ def ask_server(port: int) -> None:
         assert frame_ms(display) > 0, frame_ms(display)
         display.SMProxy.UpdatePropertyInformation()
         assert frame_ms(display) > 0, "reading all rows lost this one"
+    taken, per_ray, text = counted(display, view)
+    assert taken > 1e4 and 1 < per_ray < 100 and "million" in text, (taken, text)
 
 
 if __name__ == "__main__":

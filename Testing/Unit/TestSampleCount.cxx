@@ -1,5 +1,5 @@
 #include "Error/FloatPicture.h"
-#include "SampleCount.h"
+#include "Questions/SampleCount.h"
 
 #include <gtest/gtest.h>
 
@@ -9,11 +9,14 @@ using namespace volumebench;
 
 TEST(SampleCount, SumsEachChannel)
 {
-  const FloatPicture picture{ 2, 1, { 30.0f, 5.0f, 1.0f, 1.0f, 12.0f, 0.0f, 0.0f, 0.0f } };
+  const FloatPicture picture{ 4, 1,
+    { 30.0f, 5.0f, 1.0f, 1.0f, 12.0f, 0.0f, 0.0f, 0.0f, 0.0f, 7.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f,
+      0.0f } };
   const SampleCount sum = SumSampleCounts(picture);
   EXPECT_EQ(sum.Taken, 42.0);
-  EXPECT_EQ(sum.Skipped, 5.0);
+  EXPECT_EQ(sum.Skipped, 12.0);
   EXPECT_EQ(sum.RaysTerminated, 1.0);
+  EXPECT_EQ(sum.Rays, 3.0) << "one pixel's ray misses the volume";
 }
 
 TEST(SampleCount, StaysExactBeyondSingleFloat)

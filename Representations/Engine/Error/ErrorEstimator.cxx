@@ -2,13 +2,7 @@
 
 #include "Error/Footprint.h"
 #include "Error/ImageError.h"
-#include "Scene/FrameRate.h"
 #include "vtkVolumeBenchMapper.h"
-
-#include "vtkCamera.h"
-#include "vtkDataObject.h"
-#include "vtkOpenGLRenderWindow.h"
-#include "vtkVolumeProperty.h"
 
 #include <algorithm>
 #include <array>
@@ -62,58 +56,13 @@ std::string TimeOf(double referenceSeconds)
 }
 }
 
-void ErrorEstimator::Request()
+ErrorEstimator::ErrorEstimator()
+  : PictureQuestion("not estimated")
 {
-  this->Progress = State::Waiting;
-  this->Result = {};
-  this->Result.Text = "waiting for the next still picture";
 }
 
-void ErrorEstimator::Fail(const std::string& reason)
-{
-  this->Progress = State::Failed;
-  this->Result = {};
-  this->Result.Text = "not estimated: " + reason;
-}
-
-void ErrorEstimator::FollowFrame(vtkVolumeBenchMapper* mapper, vtkRenderer* renderer,
-  vtkVolume* volume, VolumePainter& painter, const std::string& failure)
-{
-  const bool still = !WantsInteractiveFrames(renderer->GetRenderWindow()) && !painter.IsPreview();
-  const bool due = this->Progress == State::Waiting && still;
-  if (!due && this->Progress != State::Known)
-  {
-    return;
-  }
-  this->Renderer = renderer;
-  this->Volume = volume;
-  this->Shown = false;
-  try
-  {
-    if (!failure.empty())
-    {
-      throw SceneError(failure);
-    }
-    const ChangeStamp stamp = painter.StampOf(mapper, renderer, volume);
-    if (due)
-    {
-      this->Estimate(mapper, painter);
-      this->Stamp = stamp;
-    }
-    this->Shown = stamp == this->Stamp;
-  }
-  catch (const AbortedError&)
-  {
-    this->Fail("aborted");
-  }
-  catch (const std::exception& error)
-  {
-    this->Fail(error.what());
-  }
-  this->FollowedAt = this->SettingsTime(mapper);
-}
-
-void ErrorEstimator::Estimate(vtkVolumeBenchMapper* mapper, VolumePainter& painter)
+void ErrorEstimator::Answer(
+  vtkVolumeBenchMapper* mapper, vtkRenderer* renderer, vtkVolume* volume, VolumePainter& painter)
 {
   if (std::string(mapper->GetTechnique()) == ReferenceId)
   {
@@ -127,14 +76,14 @@ void ErrorEstimator::Estimate(vtkVolumeBenchMapper* mapper, VolumePainter& paint
   for (double& frame : seconds)
   {
     const Clock::time_point begin = Clock::now();
-    painter.DrawOffscreen(mapper, this->Renderer, this->Volume, mapper->GetTechnique());
+    painter.DrawOffscreen(mapper, renderer, volume, mapper->GetTechnique());
     frame = SecondsSince(begin);
   }
   std::sort(seconds.begin(), seconds.end());
   const FloatPicture picture = painter.ReadOffscreen();
   ReferencePainter reference;
   const Clock::time_point begin = Clock::now();
-  reference.DrawOffscreen(mapper, this->Renderer, this->Volume, ReferenceId);
+  reference.DrawOffscreen(mapper, renderer, volume, ReferenceId);
   const double referenceSeconds = SecondsSince(begin);
   const FloatPicture exact = reference.ReadOffscreen();
   if (UnionFootprint(picture, exact).Box.IsEmpty())
@@ -145,41 +94,17 @@ void ErrorEstimator::Estimate(vtkVolumeBenchMapper* mapper, VolumePainter& paint
   this->Result = { error.Rmse, error.Linf, referenceSeconds, 1e3 * seconds[TimedFrames / 2], {} };
   this->Summary = SummaryOf(error, mapper);
   this->Result.Text = this->Summary + TimeOf(referenceSeconds);
-  this->Progress = State::Known;
-}
-
-// Data, settings, functions and camera: what can change without a frame that shows it.
-vtkMTimeType ErrorEstimator::SettingsTime(vtkVolumeBenchMapper* mapper) const
-{
-  vtkMTimeType time = mapper->GetMTime();
-  if (vtkDataObject* data = mapper->GetDataObjectInput())
-  {
-    time = std::max(time, data->GetMTime());
-  }
-  if (this->Volume)
-  {
-    time = std::max(time, this->Volume->GetProperty()->GetMTime());
-  }
-  if (this->Renderer && this->Renderer->IsActiveCameraCreated())
-  {
-    time = std::max(time, this->Renderer->GetActiveCamera()->GetMTime());
-  }
-  return time;
-}
-
-bool ErrorEstimator::IsCurrent(vtkVolumeBenchMapper* mapper) const
-{
-  return this->Shown && this->SettingsTime(mapper) <= this->FollowedAt;
 }
 
 ErrorEstimate ErrorEstimator::Get(vtkVolumeBenchMapper* mapper) const
 {
-  if (this->Progress != State::Known || this->IsCurrent(mapper))
+  if (this->IsAnswered() && this->IsCurrent(mapper))
   {
     return this->Result;
   }
-  ErrorEstimate outdated;
-  outdated.Text = this->Summary + ": out of date"; // last: of long lines the panel shows the end
-  return outdated;
+  ErrorEstimate none;
+  // Last: of long lines the panel shows the end.
+  none.Text = this->IsAnswered() ? this->Summary + ": out of date" : this->GetNote();
+  return none;
 }
 }

@@ -28,6 +28,7 @@ HIDDEN_BY_ROWS = {
     "GradientOpacityRange": "Gradient Opacity",
     "LightingDamping": "Shade",
     "FullScaleSamples": "Show",
+    "SamplesText": "Count Samples",
     "ErrorText": "Estimate Error",
     "ErrorRmse": "Estimate Error",
     "LargestError": "Estimate Error",
@@ -191,3 +192,17 @@ def check_error_rows_come_with_the_estimate() -> None:
     written = float(row("ErrorRmse").findChild(QLineEdit).text())
     known = display.ErrorRmse
     assert 0 < known < 0.1 and abs(written - known) < 1e-5, (written, known)
+
+
+def check_samples_row_comes_with_the_count() -> None:
+    display = wavelet("Volume Compute")
+    assert "SamplesText" not in rows(display_panel()), "samples are counted unasked"
+    press(display_panel(), "Count Samples")
+    wait_until(lambda: "SamplesText" in rows(display_panel()), "the row of the samples")
+    assert "Last Frame (samples)" in labels(display_panel()), labels(display_panel())
+    field = row("SamplesText").findChild(QLineEdit)
+    assert field.text() == display.SamplesText, (field.text(), display.SamplesText)
+    assert " per ray; " in field.text(), field.text()
+    assert not field.isEnabled() or field.isReadOnly(), "the samples can be edited"
+    slide(row("StepVoxels").findChild(QSlider), 0.25)
+    wait_until(lambda: field.text().endswith(": out of date"), "samples out of date")

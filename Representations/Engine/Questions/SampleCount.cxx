@@ -1,4 +1,4 @@
-#include "SampleCount.h"
+#include "Questions/SampleCount.h"
 
 #include "Error/FloatPicture.h"
 
@@ -20,7 +20,7 @@ bool IsCount(float value)
 
 SampleCount SumSampleCounts(const FloatPicture& picture)
 {
-  SampleCount sum{ 0.0, 0.0, 0.0 };
+  SampleCount sum{ 0.0, 0.0, 0.0, 0.0 };
   const std::vector<float>& pixels = picture.Pixels;
   for (std::size_t i = 0; i + 3 < pixels.size(); i += 4)
   {
@@ -32,19 +32,21 @@ SampleCount SumSampleCounts(const FloatPicture& picture)
     sum.Taken += pixels[i];
     sum.Skipped += pixels[i + 1];
     sum.RaysTerminated += pixels[i + 2];
+    sum.Rays += pixels[i] + pixels[i + 1] > 0.0f ? 1.0 : 0.0;
   }
   return sum.Taken + sum.Skipped > 0.0 ? sum : SampleCount();
 }
 
 SampleCount MeanSampleCount(const std::vector<SampleCount>& views)
 {
-  SampleCount mean{ 0.0, 0.0, 0.0 };
+  SampleCount mean{ 0.0, 0.0, 0.0, 0.0 };
   const auto count = static_cast<double>(views.size());
   for (const SampleCount& view : views)
   {
     mean.Taken += view.Taken / count;
     mean.Skipped += view.Skipped / count;
     mean.RaysTerminated += view.RaysTerminated / count;
+    mean.Rays += view.Rays / count;
   }
   return mean;
 }

@@ -2,7 +2,7 @@
 #ifndef volumebench_SampleCount_h
 #define volumebench_SampleCount_h
 
-#include "VolumeBenchBenchmarkModule.h"
+#include "VolumeBenchEngineModule.h"
 
 #include <limits>
 #include <vector>
@@ -16,14 +16,15 @@ struct SampleCount
   double Taken = std::numeric_limits<double>::quiet_NaN();
   double Skipped = std::numeric_limits<double>::quiet_NaN();
   double RaysTerminated = std::numeric_limits<double>::quiet_NaN();
+  double Rays = std::numeric_limits<double>::quiet_NaN(); // that took or skipped any
 };
 
 /// Sums red (samples taken), green (samples skipped) and blue (whether the ray was terminated). A
 /// picture that holds anything but counts was drawn by a technique that does not count: all NaN.
-VOLUMEBENCHBENCHMARK_EXPORT SampleCount SumSampleCounts(const FloatPicture& picture);
+VOLUMEBENCHENGINE_EXPORT SampleCount SumSampleCounts(const FloatPicture& picture);
 
 /// The mean over views; NaN where any of them is.
-VOLUMEBENCHBENCHMARK_EXPORT SampleCount MeanSampleCount(const std::vector<SampleCount>& views);
+VOLUMEBENCHENGINE_EXPORT SampleCount MeanSampleCount(const std::vector<SampleCount>& views);
 }
 
 #endif
