@@ -45,6 +45,19 @@ auto InBlock(const std::string& name, const Action& action)
   }
 }
 
+// Whether all points and cells have a number in 32 bits.
+bool IsNumbered(vtkDataObject* input)
+{
+  constexpr vtkIdType Limit = vtkIdType(1) << 32;
+  auto* image = vtkImageData::SafeDownCast(input);
+  return image && image->GetNumberOfPoints() < Limit;
+}
+
+SelectionMark WithoutIds(const SelectionMark& mark)
+{
+  return { mark.BeginsSelection, SelectionMark::Content::Color, mark.Color, 0 };
+}
+
 // A pixel's maximum, minimum or mean over several blocks is not one picture over another.
 void RefuseBlendingOfBlocks(vtkVolumeBenchMapper* mapper, std::size_t blocks)
 {
@@ -254,7 +267,7 @@ void VolumePainter::Draw(vtkVolumeBenchMapper* mapper, vtkRenderer* renderer, vt
 }
 
 void VolumePainter::Mark(
-  vtkVolumeBenchMapper* mapper, vtkRenderer* renderer, vtkVolume* volume, const glm::vec3& color)
+  vtkVolumeBenchMapper* mapper, vtkRenderer* renderer, vtkVolume* volume, const SelectionMark& mark)
 {
   this->UseTechnique(mapper->GetTechnique());
   this->UseWindow(renderer);
@@ -266,12 +279,18 @@ void VolumePainter::Mark(
     scene.Scene.Measurement = {};
     scene.Scene.Clip.OpaqueGeometry = true; // in a selection pass all props leave their depth
   }
-  this->PrepareAll(scenes);
-  this->Offscreen.Draw(this->Window, viewport, [&] { this->RenderAll(scenes, mapper); });
+  // Later passes may find the depth of the first, where the volume would be behind its own mark.
+  if (mark.BeginsSelection)
+  {
+    this->PrepareAll(scenes);
+    this->Offscreen.Draw(this->Window, viewport, [&] { this->RenderAll(scenes, mapper); });
+  }
   for (PartScene& scene : scenes)
   {
     scene.Scene.Camera.Viewport = viewport;
-    this->Selection.Mark(scene.Scene, this->Offscreen, this->Window, color);
+    const bool hasIds = IsNumbered(mapper->GetDataObjectInput()) && !scene.Scene.Share;
+    this->Selection.Mark(
+      scene.Scene, this->Offscreen, this->Window, hasIds ? mark : WithoutIds(mark));
   }
 }
 

@@ -32,10 +32,10 @@ public:
   /// KernelError.
   void Draw(vtkVolumeBenchMapper* mapper, vtkRenderer* renderer, vtkVolume* volume);
 
-  /// Marks where the picture is visible with a colour, at the depth where the rays enter the
-  /// blocks: for selection passes.
-  void Mark(
-    vtkVolumeBenchMapper* mapper, vtkRenderer* renderer, vtkVolume* volume, const glm::vec3& color);
+  /// Marks where the picture is visible, at the depth where the rays enter the blocks: for
+  /// selection passes. Points and cells have numbers in images that are whole and no blocks.
+  void Mark(vtkVolumeBenchMapper* mapper, vtkRenderer* renderer, vtkVolume* volume,
+    const SelectionMark& mark);
 
   /// Draws the picture with a technique beside the window, hidden by what the window shows as the
   /// picture in it is, and waits until it is done. With CountSamples it is one of counts.

@@ -17,7 +17,6 @@
 #include "vtkVolume.h"
 
 #include <glm/gtc/type_ptr.hpp>
-#include <glm/vec3.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -48,6 +47,47 @@ vtkVolumeBenchMapper::~vtkVolumeBenchMapper()
   this->Internal->Painter.ReleaseGpu();
 }
 
+namespace
+{
+// The second pass of an id is drawn for those alone that have told large ones.
+volumebench::SelectionMark MarkFor(vtkHardwareSelector* selector, vtkDataSet* data)
+{
+  using Content = volumebench::SelectionMark::Content;
+  constexpr int BitsOfPass = 24;
+  if (data)
+  {
+    selector->UpdateMaximumPointId(data->GetNumberOfPoints());
+    selector->UpdateMaximumCellId(data->GetNumberOfCells());
+  }
+  volumebench::SelectionMark mark;
+  mark.BeginsSelection = selector->GetCurrentPass() == vtkHardwareSelector::ACTOR_PASS;
+  switch (selector->GetCurrentPass())
+  {
+    case vtkHardwareSelector::ACTOR_PASS:
+    case vtkHardwareSelector::PROCESS_PASS:
+      selector->GetPropColorValue(glm::value_ptr(mark.Color));
+      break;
+    case vtkHardwareSelector::POINT_ID_LOW24:
+      mark.Asks = Content::PointId;
+      break;
+    case vtkHardwareSelector::POINT_ID_HIGH24:
+      mark.Asks = Content::PointId;
+      mark.FirstBit = BitsOfPass;
+      break;
+    case vtkHardwareSelector::CELL_ID_LOW24:
+      mark.Asks = Content::CellId;
+      break;
+    case vtkHardwareSelector::CELL_ID_HIGH24:
+      mark.Asks = Content::CellId;
+      mark.FirstBit = BitsOfPass;
+      break;
+    default:
+      break;
+  }
+  return mark;
+}
+}
+
 void vtkVolumeBenchMapper::Internals::DrawOrMark(
   vtkVolumeBenchMapper* mapper, vtkRenderer* renderer, vtkVolume* volume)
 {
@@ -60,15 +100,10 @@ void vtkVolumeBenchMapper::Internals::DrawOrMark(
     return;
   }
   selector->BeginRenderProp();
-  const int pass = selector->GetCurrentPass();
-  glm::vec3 color(0.0f); // black: no block, point or cell can be picked, nor any behind
-  if (pass == vtkHardwareSelector::ACTOR_PASS || pass == vtkHardwareSelector::PROCESS_PASS)
-  {
-    selector->GetPropColorValue(glm::value_ptr(color));
-  }
+  const volumebench::SelectionMark mark = MarkFor(selector, mapper->GetDataSetInput());
   try
   {
-    this->Painter.Mark(mapper, renderer, volume, color);
+    this->Painter.Mark(mapper, renderer, volume, mark);
   }
   catch (...)
   {

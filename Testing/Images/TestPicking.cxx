@@ -3,6 +3,7 @@
 #include "StateChecker.h"
 
 #include "vtkActor.h"
+#include "vtkDataObject.h"
 #include "vtkHardwareSelector.h"
 #include "vtkPartitionedDataSet.h"
 #include "vtkPlaneSource.h"
@@ -10,6 +11,7 @@
 #include "vtkVolumePicker.h"
 
 #include <array>
+#include <cmath>
 
 using namespace volumebench;
 using namespace volumebench::test;
@@ -204,9 +206,70 @@ TEST_P(Picking, ProcessIsMarkedAndNothingBehindIsSelected)
   const unsigned int edge[2] = { 62, 32 };
   const auto there = selector->GetPixelInformation(middle);
   EXPECT_EQ(there.Prop, scene.Volume.GetPointer());
-  // No id reads as 0 in VTK; the plane's own cells in the middle have others.
-  EXPECT_EQ(there.AttributeID, 0) << "a cell of the plane behind";
+  // The cell that the ray enters; the plane's in the middle is one of its 64.
+  EXPECT_EQ(there.AttributeID, 4 + 8 * (4 + 8 * 7)) << "a cell of the plane behind";
   EXPECT_GT(selector->GetPixelInformation(edge).AttributeID, 0);
+}
+
+// The points or cells that are in front of the pixels of the view's middle row.
+std::vector<vtkIdType> IdsInFront(RenderScene& scene, int association)
+{
+  scene.Window->Render();
+  vtkNew<vtkHardwareSelector> selector;
+  selector->SetRenderer(scene.Renderer);
+  selector->SetArea(0, 0, Side - 1, Side - 1);
+  selector->SetFieldAssociation(association);
+  selector->CaptureBuffers();
+  std::vector<vtkIdType> ids;
+  for (unsigned int x = 0; x < Side; ++x)
+  {
+    const unsigned int pixel[2] = { x, Side / 2 };
+    const auto there = selector->GetPixelInformation(pixel);
+    ids.push_back(there.Prop ? there.AttributeID : -1);
+  }
+  return ids;
+}
+
+// The place where the ray through a pixel of that row enters the box, in voxels.
+std::array<double, 3> EntryAt(RenderScene& scene, int x, double top)
+{
+  double depth[4];
+  scene.Renderer->SetDisplayPoint(x + 0.5, Side / 2 + 0.5, 0.0);
+  scene.Renderer->DisplayToWorld();
+  scene.Renderer->GetWorldPoint(depth);
+  return { depth[0] / depth[3], depth[1] / depth[3], top };
+}
+
+TEST_P(Picking, PointsAndCellsAreThoseWhereTheRaysEnter)
+{
+  constexpr int Dims[3] = { 9, 11, 7 };
+  RenderScene scene(
+    GetParam(), MakeImage(Dims[0], Dims[1], Dims[2], Zero), MakeConstantProperty(Tau));
+  scene.Renderer->GetActiveCamera()->ParallelProjectionOn();
+  scene.LookFrom(0.0, 0.0, 1.0);
+  for (const int association :
+    { vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataObject::FIELD_ASSOCIATION_CELLS })
+  {
+    const bool points = association == vtkDataObject::FIELD_ASSOCIATION_POINTS;
+    const std::vector<vtkIdType> ids = IdsInFront(scene, association);
+    int seen = 0;
+    for (int x = 0; x < Side; ++x)
+    {
+      const std::array<double, 3> entry = EntryAt(scene, x, Dims[2] - 1.0);
+      if (ids[x] < 0)
+      {
+        continue;
+      }
+      const auto cellX = static_cast<vtkIdType>(std::floor(entry[0] + (points ? 0.5 : 0.0)));
+      const auto cellY = static_cast<vtkIdType>(std::floor(entry[1] + (points ? 0.5 : 0.0)));
+      const int less = points ? 0 : 1;
+      EXPECT_EQ(ids[x],
+        cellX + (Dims[0] - less) * (cellY + (Dims[1] - less) * vtkIdType(Dims[2] - 1 - less)))
+        << (points ? "point" : "cell") << " at pixel " << x;
+      ++seen;
+    }
+    EXPECT_GT(seen, Side / 4);
+  }
 }
 
 TEST_P(Picking, GlStateIsLeftAsFound)

@@ -12,7 +12,7 @@
 namespace volumebench
 {
 void SelectionMask::Mark(const Scene& scene, OffscreenPicture& picture,
-  vtkOpenGLRenderWindow* window, const glm::vec3& color)
+  vtkOpenGLRenderWindow* window, const SelectionMark& mark)
 {
   const GlContextGuard guard(window);
   this->Numbers.Bind(scene);
@@ -23,7 +23,9 @@ void SelectionMask::Mark(const Scene& scene, OffscreenPicture& picture,
     TextureUnits units(window);
     program.SetUnit("pictureTexture", units.Attach(picture.GetTexture()));
     const GLuint handle = program.GetHandle();
-    glUniform3fv(glGetUniformLocation(handle, "idColor"), 1, glm::value_ptr(color));
+    glUniform3fv(glGetUniformLocation(handle, "idColor"), 1, glm::value_ptr(mark.Color));
+    glUniform1i(glGetUniformLocation(handle, "content"), static_cast<int>(mark.Asks));
+    glUniform1i(glGetUniformLocation(handle, "firstBit"), mark.FirstBit);
     glUniform1f(glGetUniformLocation(handle, "leastOpacity"), LeastOpacity);
     vtkOpenGLState* state = window->GetState();
     state->vtkglDisable(GL_BLEND);

@@ -5,9 +5,9 @@ from paraview import simple
 from PyQt5.QtCore import QPoint, Qt
 from PyQt5.QtTest import QTest
 from PyQt5.QtWidgets import QAction, QSlider, QWidget
-from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
 from window import (
     apply,
+    as_displayed,
     tick,
     click,
     display_panel,
@@ -192,16 +192,6 @@ def check_animation_of_a_row_and_playing() -> None:
 def last_frame_ms(display: object) -> float:
     display.SMProxy.UpdatePropertyInformation()
     return display.GetProperty("LastFrameMs").SMProperty.GetElement(0)
-
-
-def as_displayed() -> np.ndarray:
-    """Return what the active view shows, without drawing it anew."""
-    grabber = vtkWindowToImageFilter()
-    grabber.SetInput(simple.GetActiveView().GetRenderWindow())
-    grabber.ReadFrontBufferOff()
-    grabber.ShouldRerenderOff()
-    grabber.Update()
-    return picture_of(grabber.GetOutput())
 
 
 def make_slow(display: object) -> bool:

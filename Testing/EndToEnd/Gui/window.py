@@ -37,6 +37,7 @@ from PyQt5.QtWidgets import (
     QWidget,
 )
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
 
 PATIENCE_S = 40.0
 HANG_S = 270
@@ -291,6 +292,16 @@ def view_picture() -> np.ndarray:
     view = simple.GetActiveView()
     simple.Render(view)
     return picture_of(view.SMProxy.CaptureWindow(1))
+
+
+def as_displayed() -> np.ndarray:
+    """Return what the active view shows, without drawing it anew."""
+    grabber = vtkWindowToImageFilter()
+    grabber.SetInput(simple.GetActiveView().GetRenderWindow())
+    grabber.ReadFrontBufferOff()
+    grabber.ShouldRerenderOff()
+    grabber.Update()
+    return picture_of(grabber.GetOutput())
 
 
 def picture_of(image: Any) -> np.ndarray:
