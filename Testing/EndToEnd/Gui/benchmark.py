@@ -1,8 +1,18 @@
 """Volume Benchmark in ParaView's window: from the menu to its table and its chart."""
 
+import numpy as np
 from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from window import apply, labels, rows, settle, source_panel, trigger, wait_until
+from window import (
+    apply,
+    labels,
+    picture_of,
+    rows,
+    settle,
+    source_panel,
+    trigger,
+    wait_until,
+)
 
 DEFAULT_ROWS = [
     "Array",
@@ -62,6 +72,7 @@ def check_apply_opens_table_and_chart() -> None:
         0
     ], "the table is not that of the runs"
     expect_chart(view_of_type("VolumeBenchmarkChartView"))
+    expect_all_runs_in_sight(view_of_type("VolumeBenchmarkChartView"))
 
 
 def expect_curve(runs: object, curves: object) -> None:
@@ -85,3 +96,23 @@ def expect_chart(view: object) -> None:
     assert not shown.UseIndexForXAxis and shown.XArrayName == "X frame_ms"
     visible = list(shown.SeriesVisibility)
     assert visible == ["single-pass Midpoint", "vtk-gpu"], visible
+
+
+def expect_all_runs_in_sight(view: object) -> None:
+    """Fail unless the marks of both curves can be seen; the legend is above them."""
+    assert view.ShowLegend and view.LegendLocation == "Top", view.LegendLocation
+    (shown,) = view.Representations
+    view.ShowLegend = 0
+    for series in ("single-pass Midpoint", "vtk-gpu"):
+        marks = count_marks(view, shown, series)
+        assert marks > 30, f"{series} has {marks} pixels"
+
+
+def count_marks(view: object, shown: object, series: str) -> int:
+    """Return how many pixels have the colour of a curve."""
+    colors = list(shown.SeriesColor)
+    at = colors.index(series)
+    color = np.array([float(one) for one in colors[at + 1 : at + 4]])
+    simple.Render(view)
+    picture = picture_of(view.SMProxy.CaptureWindow(1))
+    return int((np.abs(picture - color).max(axis=2) < 0.1).sum())

@@ -1,7 +1,8 @@
 """Starts ParaView's window with a script in it, as a new user would find it; returns its exit code.
 
 Usage: start_paraview.py SCRIPT [CHECK...] runs the script's `check_...` functions, or those named.
-Environment: VOLUMEBENCH_PLUGIN, the plugin's file; VOLUMEBENCH_PARAVIEW, the program; DISPLAY.
+Environment: VOLUMEBENCH_PLUGIN, the plugin's file, which is not loaded where
+VOLUMEBENCH_WITHOUT_PLUGIN is set; VOLUMEBENCH_PARAVIEW, the program; DISPLAY.
 """
 
 import os
@@ -44,9 +45,17 @@ def start(script: Path, checks: list[str]) -> int:
             "XDG_RUNTIME_DIR": home,
         }
         program = os.environ.get("VOLUMEBENCH_PARAVIEW", "paraview")
-        command = [program, f"--script={boot}", "-geometry", SIZE]
+        command = [program, *plugin(), f"--script={boot}", "-geometry", SIZE]
         done = subprocess.run(command, env=environment, timeout=TIME_LIMIT_S)
     return done.returncode
+
+
+def plugin() -> list[str]:
+    """Return what loads the plugin, as ./run gui does."""
+    path = Path(os.environ["VOLUMEBENCH_PLUGIN"])
+    if os.environ.get("VOLUMEBENCH_WITHOUT_PLUGIN"):
+        return []
+    return [f"--plugin-search-paths={path.parent}", f"--plugins={path.stem}"]
 
 
 if __name__ == "__main__":

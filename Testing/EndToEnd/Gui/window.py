@@ -332,9 +332,6 @@ def run_script(name: str, only: list[str]) -> None:
     """Run every `check_...` of a module, each in a new session, and leave ParaView."""
 
     def run() -> None:
-        simple.LoadPlugin(
-            os.environ["VOLUMEBENCH_PLUGIN"], remote=False, ns=vars(simple)
-        )
         module = importlib.import_module(name)
         checks = {
             one: getattr(module, one)
