@@ -39,6 +39,33 @@ int NumberOfPlugin(vtkPVPluginsInformation* plugins)
   return -1;
 }
 
+std::string VersionOf(vtkPVPluginsInformation* plugins, int number)
+{
+  const char* version = plugins->GetPluginVersion(number);
+  return version ? version : "of no version";
+}
+
+// With an object, as ParaView's window shows nothing of generic warnings but the place in the
+// source.
+void WarnOfMissing(vtkObject* plugins, const char* file)
+{
+  vtkWarningWithObjectMacro(plugins,
+    "The server has no plugin "
+      << PluginName << ", so its representations, readers and benchmark are missing. Load it there "
+      << "too, with Tools > Manage Plugins > Remote Plugins > Load New, or in Python with "
+      << "LoadPlugin(\"" << (file ? file : PluginName) << "\", remote=True), where the path is the "
+      << "server's. Load it before image data are shown.");
+}
+
+void WarnOfVersions(vtkObject* plugins, const std::string& here, const std::string& there)
+{
+  vtkWarningWithObjectMacro(plugins,
+    "The client has "
+      << PluginName << " " << here << ", the server " << there
+      << ". What one of them has not fails or has no effect: use the same version on "
+         "both sides.");
+}
+
 // Looks at the server when something is made there that might be shown or measured: a script has
 // loaded its plugins by then.
 class ServerCheck : public vtkCommand
@@ -68,23 +95,24 @@ private:
   void Check(vtkSMSession* session)
   {
     vtkSMPluginManager* plugins = vtkSMProxyManager::GetProxyManager()->GetPluginManager();
-    const int here = NumberOfPlugin(plugins->GetLocalInformation());
-    if (here < 0 || NumberOfPlugin(plugins->GetRemoteInformation(session)) >= 0)
+    vtkPVPluginsInformation* ours = plugins->GetLocalInformation();
+    vtkPVPluginsInformation* theirs = plugins->GetRemoteInformation(session);
+    const int here = NumberOfPlugin(ours);
+    const int there = NumberOfPlugin(theirs);
+    if (here < 0)
     {
       return;
     }
-    this->Told = session;
-    const char* file = plugins->GetLocalInformation()->GetPluginFileName(here);
-    // With an object, as ParaView's window shows nothing of generic warnings but the place in the
-    // source.
-    vtkWarningWithObjectMacro(plugins,
-      "The server has no plugin "
-        << PluginName
-        << ", so its representations, readers and benchmark are missing. Load it there "
-        << "too, with Tools > Manage Plugins > Remote Plugins > Load New, or in Python with "
-        << "LoadPlugin(\"" << (file ? file : PluginName)
-        << "\", remote=True), where the path is the "
-        << "server's. Load it before image data are shown.");
+    if (there < 0)
+    {
+      this->Told = session;
+      WarnOfMissing(plugins, ours->GetPluginFileName(here));
+    }
+    else if (const std::string version = VersionOf(ours, here); version != VersionOf(theirs, there))
+    {
+      this->Told = session;
+      WarnOfVersions(plugins, version, VersionOf(theirs, there));
+    }
   }
 
   vtkWeakPointer<vtkSMSession> Told;

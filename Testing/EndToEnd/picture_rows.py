@@ -27,7 +27,12 @@ from support import (
 )
 
 SAMPLES = ("SamplesTaken", "SamplesPerRay")
-ROWS = {"LastFrameMs": "default", "UsedText": "advanced", "LeftOutText": "default", "SamplesText": "default"}
+ROWS = {
+    "LastFrameMs": "default",
+    "UsedText": "advanced",
+    "LeftOutText": "default",
+    "SamplesText": "default",
+}
 HAZE = [(37.0, 0.0), (277.0, 0.01)]
 WALL = [(37.0, 0.0), (200.0, 0.0), (277.0, 0.9)]
 COLORS = [37.0, 0.1, 0.2, 0.9, 277.0, 1.0, 0.3, 0.1]

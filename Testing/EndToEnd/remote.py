@@ -157,6 +157,31 @@ def check_server_without_the_plugin_is_named() -> None:
     assert f'LoadPlugin("{PLUGIN}", remote=True)' in said, said
 
 
+def check_server_with_another_version_is_named() -> None:
+    version = plugin_version()
+    other = re.sub(r"\d", "7", version)
+    with temporary_folder() as folder:
+        shutil.copytree(Path(PLUGIN).parent, folder, dirs_exist_ok=True)
+        copy = folder / Path(PLUGIN).name
+        binary = copy.read_bytes()
+        assert binary.count(version.encode() + b"\0") == 1, "where is the version?"
+        copy.write_bytes(
+            binary.replace(version.encode() + b"\0", other.encode() + b"\0")
+        )
+        with server(["env", f"PV_PLUGIN_PATH={folder}"]) as port:
+            said = run_client(port, "show", "local")
+    told = f"The client has VolumeBench {version}, the server {other}."
+    assert said.count(told) == 1, said
+
+
+def plugin_version() -> str:
+    """Return the version of the plugin that is loaded here."""
+    manager = servermanager.vtkSMProxyManager.GetProxyManager().GetPluginManager()
+    plugins = manager.GetLocalInformation()
+    names = [plugins.GetPluginName(i) for i in range(plugins.GetNumberOfPlugins())]
+    return plugins.GetPluginVersion(names.index("VolumeBench"))
+
+
 def check_client_without_the_plugin_is_named() -> None:
     loads_by_itself = ["env", f"PV_PLUGIN_PATH={Path(PLUGIN).parent}"]
     with server(loads_by_itself, complains=True) as port:
