@@ -19,6 +19,7 @@ QUICK = (
     "out_of_sight",
     "maximum",
     "two_volumes",
+    "two_volumes_behind",
     "blocks_apart",
     "interleaved_blocks",
     "volume_slices",
