@@ -178,9 +178,15 @@ Enemies OfWindows()
     { "drawn_in_another_window",
       [](HostileSession& session)
       {
-        RenderScene other(session.Technique, MakeImage(5, 5, 5, Bumpy), BumpyProperty());
+        const auto image = MakeImage(5, 5, 5, Bumpy);
+        RenderScene own(session.Technique, image, BumpyProperty());
+        RenderScene other(session.Technique, image, BumpyProperty());
+        session.Show(image);
+        session.Mapper->SetStepVoxels(own.Mapper->GetStepVoxels());
+        session.Mapper->SetTerminationThreshold(own.Mapper->GetTerminationThreshold());
         other.Volume->SetMapper(session.Mapper);
-        other.Picture();
+        EXPECT_EQ(other.Picture().Pixels, own.Picture().Pixels);
+        session.ArrangeGood();
       },
       Same() },
   };
