@@ -1,6 +1,8 @@
 """The pages of ./run docs: built whole, without dead links, and true about properties and tests."""
 
+import json
 import re
+import subprocess
 import sys
 from pathlib import Path
 
@@ -107,13 +109,55 @@ def names_of_tests() -> set[str]:
     return names
 
 
-def test_every_row_of_what_others_have_names_tests_that_there_are():
+def rows_of_peers() -> list[str]:
     text = (ROOT / "Documentation" / "peers.md").read_text()
     rows = [line for line in text.splitlines() if line.startswith("| ")][1:]
     assert len(rows) > 25
+    return rows
+
+
+def names_in(text: str) -> list[str]:
+    return re.findall(r"`(\w+\.\w+)`", text)
+
+
+def test_every_row_of_what_others_have_names_tests_that_there_are():
     known = names_of_tests()
-    for row in rows:
-        named = re.findall(r"`(\w+\.\w+)`", row.split("|")[3])
+    for row in rows_of_peers():
+        named = names_in(row.split("|")[3])
         assert named, f"no test: {row}"
         for name in named:
             assert name in known, f"there is no test {name}: {row}"
+
+
+def test_the_tests_named_there_are_built_and_run():
+    build = ROOT / "build" / "dev"
+    if not (build / "CTestTestfile.cmake").is_file():
+        pytest.skip("there is no build/dev that could list its tests")
+    command = ["ctest", "--test-dir", str(build), "--show-only=json-v1"]
+    done = subprocess.run(command, capture_output=True, text=True, check=True)
+    # Prefix/Suite.Name/parameter, or EndToEnd.name.technique
+    listed = {
+        ".".join(part.split(".")[:2])
+        for test in json.loads(done.stdout)["tests"]
+        for part in test["name"].split("/")
+    }
+    assert len(listed) > 500, f"only {len(listed)} tests are built"
+    for name in names_in((ROOT / "Documentation" / "peers.md").read_text()):
+        assert name in listed, f"{name} does not run"
+
+
+# What a program must have to be in the same league: each has its row.
+LEAGUE = (
+    "Emission and absorption", "Opacity that does not depend on the step", "per unit distance",
+    "Maximum intensity", "Shading", "stop early", "control of step", "Lower quality while",
+    "Full quality when still", "opaque geometry", "Crop box", "scalar types", "cell data",
+    "Component, magnitude", "Uneven spacing", "Camera inside", "Perspective and parallel",
+    "Several views", "larger than the device", "server apart", "ranks without seams",
+    "ghost cells", "Several blocks", "without a display", "State files and traces",
+)  # fmt: skip
+
+
+def test_all_that_every_peer_has_is_in_the_table():
+    titles = [row.split("|")[1] for row in rows_of_peers()]
+    for part in LEAGUE:
+        assert any(part in title for title in titles), f"no row about: {part}"
