@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from paraview import simple
-from state import SETTINGS, scene, the_display
+from state import FILTER, SETTINGS, scene, the_display
 from support import (
     SIZE,
     capture,
@@ -25,14 +25,6 @@ from support import (
 STATES = Path(__file__).resolve().parent / "States"
 # Settings that a release did not have: its states leave them as they are in a new session.
 ADDED_SINCE = {"0.1.0.pvsm": {"InteractiveFrameTime", "MemoryBudget"}}
-FILTER = {
-    "Techniques": ["compute", "vtk-gpu"],
-    "Integrators": ["Midpoint", "Segment"],
-    "StepVoxels": [2.0, 0.25],
-    "ImageSize": [320, 200],
-    "Frames": 12,
-    "ErrorViews": 0,
-}
 
 
 def make(path: Path) -> None:

@@ -21,6 +21,7 @@ from support import (
     run_checks,
     set_functions,
     show,
+    technique_labels,
     temporary_folder,
     wavelet,
 )
@@ -53,6 +54,14 @@ SETTINGS = {
     "SliceTarget": "RGBA16F",
     "SliceThreads": "4",
 }
+FILTER = {
+    "Techniques": ["compute", "vtk-gpu"],
+    "Integrators": ["Midpoint", "Segment"],
+    "StepVoxels": [2.0, 0.25],
+    "ImageSize": [320, 200],
+    "Frames": 12,
+    "ErrorViews": 0,
+}
 
 
 def check_python_state() -> None:
@@ -82,6 +91,46 @@ def check_trace() -> None:
     with temporary_folder() as folder:
         (folder / "trace.py").write_text(text)
         compare(reopened(folder, "trace.py"), capture(view))
+
+
+def check_every_representation_and_the_filter() -> None:
+    for label in technique_labels():
+        for name in ("state.pvsm", "state.py"):
+            simple.ResetSession()
+            scene()
+            the_display().SetRepresentationType(label)
+            source = next(iter(simple.GetSources().values()))
+            bench = simple.VolumeBenchmark(registrationName="Benchmark", Input=source)
+            for row, value in FILTER.items():
+                setattr(bench, row, value)
+            expect_kept_by(name, label)
+
+
+def expect_kept_by(name: str, label: str) -> None:
+    """Fail unless a state file of the session brings everything back."""
+    with temporary_folder() as folder:
+        path = folder / name
+        if path.suffix == ".py":
+            path.write_text(smstate.get_state())
+        else:
+            simple.SaveState(str(path))
+        simple.ResetSession()
+        open_file(path)
+    display, bench = the_display(), simple.FindSource("Benchmark")
+    assert display.Representation == label, f"{name}: {display.Representation}"
+    for proxy, rows in ((display, SETTINGS), (bench, FILTER)):
+        for row, value in rows.items():
+            actual = getattr(proxy, row)
+            same = list(actual) == value if isinstance(value, list) else actual == value
+            assert same, f"{label}, {name}: {row} is {actual}, not {value}"
+
+
+def open_file(path: Path) -> None:
+    if path.suffix == ".py":
+        text = path.read_text()
+        exec(compile(text, str(path), "exec"), {"__name__": "state"})
+    else:
+        simple.LoadState(str(path))
 
 
 def change_traced(display: Any) -> None:
@@ -120,11 +169,7 @@ def reopened(folder: Path, name: str) -> np.ndarray:
 def reopen(path: Path) -> None:
     """The other process: open the file, check the settings and leave the picture."""
     load_plugin()
-    if path.suffix == ".py":
-        text = path.read_text()
-        exec(compile(text, str(path), "exec"), {"__name__": "state"})
-    else:
-        simple.LoadState(str(path))
+    open_file(path)
     view = simple.GetActiveViewOrCreate("RenderView")
     view.ViewSize = list(SIZE)
     display = the_display()
