@@ -88,11 +88,10 @@ struct Variation
   std::string Name;
   SceneChange Arrange;
   bool Steep = false;
-  bool Graded = false; // into steps of other lengths for each share
 
   // By which a channel of a pixel may differ. Where opacity is steep it is that much for the
-  // rounding of where samples lie; an error target of 0.01 is what both pictures may err by.
-  double Most() const { return this->Graded ? 5e-3 : (this->Steep ? 2e-3 : 1e-4); }
+  // rounding of where samples lie.
+  double Most() const { return this->Steep ? 2e-3 : 1e-4; }
 };
 
 vtkSmartPointer<vtkVolumeProperty> PropertyOf(const Variation& variation)
@@ -122,22 +121,11 @@ Variation Steep(Variation variation)
   return variation;
 }
 
-Variation WithErrorTarget(int integrator)
-{
-  const auto arrange = [integrator](RenderScene& scene)
-  {
-    scene.Mapper->SetIntegrator(integrator);
-    scene.Mapper->SetErrorTarget(0.01);
-  };
-  return { "error target", arrange, false, true };
-}
-
 std::vector<Variation> Variations()
 {
-  return { WithErrorTarget(1), WithErrorTarget(2), WithIntegrator(0, 0.37, false),
-    WithIntegrator(1, 4.0, true), Steep(WithIntegrator(1, 1.0, false)),
-    Steep(WithIntegrator(2, 1.0, false)), WithIntegrator(3, 1.7, false),
-    { "from inside", LookFromInside }, { "lit", ShadeByGradients },
+  return { WithIntegrator(0, 0.37, false), WithIntegrator(1, 4.0, true),
+    Steep(WithIntegrator(1, 1.0, false)), Steep(WithIntegrator(2, 1.0, false)),
+    WithIntegrator(3, 1.7, false), { "from inside", LookFromInside }, { "lit", ShadeByGradients },
     Steep({ "lit", ShadeByGradients }) };
 }
 }
