@@ -13,5 +13,5 @@ export VOLUMEBENCH_PICTURES=$root/Documentation/Pictures PYTHONDONTWRITEBYTECODE
 xvfb-run -a -s "-noreset -screen 0 1500x1000x24" /usr/bin/python3 \
   "$root/Testing/EndToEnd/Gui/start_paraview.py" "$root/Testing/EndToEnd/Gui/walk.py"
 for picture in "$VOLUMEBENCH_PICTURES"/walk-*.png; do
-  convert "$picture" +dither -colors 128 -strip -define png:compression-level=9 "$picture"
+  convert "$picture" -strip -define png:compression-level=9 "png24:$picture" # all colours: a palette shows bands
 done
