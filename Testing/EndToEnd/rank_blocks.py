@@ -38,7 +38,7 @@ def block_at(place):
     return image
 
 
-held = [(place, block_at(place)) for place in {held}]
+held = [(place, block_at(place)) for place in ({held})]
 output = self.GetOutputDataObject(0)
 if output.IsA("vtkPartitionedDataSet"):
     for number, (place, block) in enumerate(held):
