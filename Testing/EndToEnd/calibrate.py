@@ -7,6 +7,8 @@ import sys
 import tempfile
 from pathlib import Path
 
+from patience import patient_s
+
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "Python"))
 
 from volumebench.calibration import load_calibration  # noqa: E402
@@ -24,7 +26,7 @@ def run(*arguments: str, **variables: str) -> subprocess.CompletedProcess:
         env=environment | variables,
         capture_output=True,
         text=True,
-        timeout=200,
+        timeout=patient_s(200),
     )
 
 

@@ -12,6 +12,7 @@ from typing import Any
 
 import numpy as np
 from paraview import simple
+from patience import patient_s
 from support import (
     SIZE,
     check_close,
@@ -179,7 +180,11 @@ def first_environment() -> dict[str, str]:
 
 def start(command: list[str]) -> subprocess.CompletedProcess:
     return subprocess.run(
-        command, capture_output=True, text=True, timeout=240, env=first_environment()
+        command,
+        capture_output=True,
+        text=True,
+        timeout=patient_s(240),
+        env=first_environment(),
     )
 
 
@@ -205,12 +210,12 @@ def server(launcher: list[str] | None = None, complains: bool = False) -> Iterat
                 lambda: "Accepting connection" in (folder / "log").read_text(), process
             )
             yield port
-            process.wait(timeout=30)
+            process.wait(timeout=patient_s(30))
             said = (folder / "log").read_text()
             assert complains or "ERR|" not in said, said
         finally:
             process.terminate()
-            process.wait(timeout=30)
+            process.wait(timeout=patient_s(30))
 
 
 def run_client_of_server(script: str) -> None:
@@ -220,7 +225,7 @@ def run_client_of_server(script: str) -> None:
 
 
 def wait_for(ready: Any, process: subprocess.Popen) -> None:
-    end = time.monotonic() + 60
+    end = time.monotonic() + patient_s(60)
     while not ready():
         assert process.poll() is None, "the server ended"
         assert time.monotonic() < end, "the server did not start"

@@ -13,6 +13,7 @@ from typing import Any
 
 from paraview import servermanager, simple
 from parallel import first_environment, server, start, wait_for
+from patience import patient_s
 from support import (
     ERRORS,
     PLUGIN,
@@ -37,7 +38,7 @@ COLORS = [37.0, 0.1, 0.2, 0.9, 150.0, 0.9, 0.8, 0.2, 277.0, 1.0, 0.3, 0.1]
 OPACITY = [(37, 0.0), (130, 0.2), (160, 0.02), (277, 0.5)]
 # Whether the client may draw what is small: volumes stay where they are all the same.
 THRESHOLDS_MB = (0, 1000)
-PATIENCE_S = 60
+PATIENCE_S = patient_s(60)
 
 
 def shown(label: str, half: int = 10, size: tuple[int, int] = SIZE) -> tuple[Any, Any]:

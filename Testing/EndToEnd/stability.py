@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from paraview import servermanager, simple
+from patience import patient_s
 from support import ERRORS, PLUGIN, run_checks
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -92,7 +93,11 @@ def check_study_of_the_command_line() -> None:
             *("--techniques", "single-pass,vtk-gpu", "--plugin", PLUGIN),
         ]
         ran = subprocess.run(
-            command, capture_output=True, text=True, timeout=200, env=dict(os.environ)
+            command,
+            capture_output=True,
+            text=True,
+            timeout=patient_s(200),
+            env=dict(os.environ),
         )
         assert ran.returncode == 0, ran.stderr
         assert "fails case" not in ran.stdout, ran.stdout

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 from paraview import servermanager, simple, smstate, smtrace
+from patience import patient_s
 from support import (
     LABEL,
     SIZE,
@@ -161,7 +162,9 @@ def scene() -> np.ndarray:
 def reopened(folder: Path, name: str) -> np.ndarray:
     """Open a state or trace in another process, which leaves the picture that it shows."""
     command = ["pvpython", __file__, "reopen", str(folder / name)]
-    done = subprocess.run(command, capture_output=True, text=True, timeout=120)
+    done = subprocess.run(
+        command, capture_output=True, text=True, timeout=patient_s(120)
+    )
     assert done.returncode == 0, f"{name}: {done.stdout}{done.stderr}"
     return np.load(folder / "picture.npy")
 

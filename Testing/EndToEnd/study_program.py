@@ -7,6 +7,8 @@ import sys
 import tempfile
 from pathlib import Path
 
+from patience import patient_s
+
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "Python"))
 
@@ -96,7 +98,7 @@ def bench(python: str, *arguments: object) -> subprocess.CompletedProcess:
 def execute(command: list, environment: dict) -> subprocess.CompletedProcess:
     texts = [str(part) for part in command]
     return subprocess.run(
-        texts, env=environment, capture_output=True, text=True, timeout=250
+        texts, env=environment, capture_output=True, text=True, timeout=patient_s(250)
     )
 
 

@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 from paraview import simple
+from patience import patient_s
 from support import (
     ERRORS,
     blob,
@@ -173,7 +174,9 @@ def fresh_picture(step: Step) -> np.ndarray:
     with temporary_folder() as folder:
         (folder / "step.json").write_text(json.dumps(asdict(step)))
         command = ["pvpython", __file__, "fresh", str(folder)]
-        done = subprocess.run(command, capture_output=True, text=True, timeout=120)
+        done = subprocess.run(
+            command, capture_output=True, text=True, timeout=patient_s(120)
+        )
         assert done.returncode == 0, f"{step}: {done.stdout}{done.stderr}"
         assert "ERR|" not in done.stderr, f"{step}: {done.stderr}"
         return np.load(folder / "picture.npy")

@@ -17,6 +17,8 @@ SUPPRESSIONS = Path(__file__).with_name("leaks.supp")
 # The program behind each frame is needed to tell ours.
 STACK = r"stack_trace_format='    #%n %F %S (%m+%o)'"
 ADDRESS = "detect_stack_use_after_return=1:check_initialization_order=1:detect_leaks=1"
+# How much longer tests wait for the programs that they start.
+PATIENCE = "6"
 LEAKS = f"suppressions={SUPPRESSIONS}:print_suppressions=0:exitcode=0"
 RECORD = re.compile(
     r"^(?:Direct|Indirect) leak of .*?(?=^\n|\Z)", re.MULTILINE | re.DOTALL
@@ -31,6 +33,7 @@ def environment(reports: str, preload: str) -> dict[str, str]:
         "ASAN_OPTIONS": f"{ADDRESS}:{common}",
         "UBSAN_OPTIONS": f"print_stacktrace=1:{common}",
         "LSAN_OPTIONS": LEAKS,
+        "VOLUMEBENCH_PATIENCE": PATIENCE,
     }
     return {**os.environ, **variables, **({"LD_PRELOAD": preload} if preload else {})}
 

@@ -11,8 +11,11 @@ import sys
 import tempfile
 from pathlib import Path
 
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+
+from patience import patient_s  # noqa: E402
+
 SIZE = "1500x1000+0+0"
-TIME_LIMIT_S = 280
 HERE = Path(__file__).resolve().parent
 # ParaView gives its script no file name, and goes on when it fails.
 BOOT = """
@@ -46,7 +49,7 @@ def start(script: Path, checks: list[str]) -> int:
         }
         program = os.environ.get("VOLUMEBENCH_PARAVIEW", "paraview")
         command = [program, *plugin(), f"--script={boot}", "-geometry", SIZE]
-        done = subprocess.run(command, env=environment, timeout=TIME_LIMIT_S)
+        done = subprocess.run(command, env=environment, timeout=patient_s(280))
     return done.returncode
 
 

@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import Any
 
 from paraview import simple
+from patience import patient_s
 from PyQt5.QtCore import QTimer
 from PyQt5.QtWidgets import (
     QAbstractButton,
@@ -109,7 +110,8 @@ def make_volume(path: Path) -> None:
         "/usr/bin/python3", str(ROOT / "Python" / "generate.py"),
         "lemniscate", "--dims", "40", "40", "60", "--out", str(path)
     ]  # fmt: skip
-    subprocess.run(command, check=True, timeout=60, stdout=sys.__stdout__)
+    limit_s = patient_s(60)
+    subprocess.run(command, check=True, timeout=limit_s, stdout=sys.__stdout__)
 
 
 def compare_pictures(folder: Path) -> None:

@@ -18,6 +18,7 @@ from typing import Any
 import numpy as np
 from lost_memory import report_lost_memory
 from paraview import simple
+from patience import patient_s
 from PyQt5.QtCore import QPoint, Qt, QTimer
 from PyQt5.QtTest import QTest
 from PyQt5.QtWidgets import (
@@ -39,7 +40,7 @@ from PyQt5.QtWidgets import (
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
 
-PATIENCE_S = 40.0
+PATIENCE_S = patient_s(40.0)
 HANG_S = 270
 SETTLED_MS = 150
 
