@@ -44,6 +44,9 @@ DeviceFaultPointer NoTextureUnitIsFree();
 /// clEnqueueWriteImage, clBuildProgram, clEnqueueNDRangeKernel or clEnqueueMapBuffer.
 DeviceFaultPointer OpenClFails(const std::string& function, int error);
 
+/// An OpenCL device that gives no more bytes in one buffer, and says so when it is asked.
+DeviceFaultPointer OpenClTakesPiecesOf(std::size_t bytes);
+
 /// No allocation of as many bytes succeeds.
 DeviceFaultPointer NoMemoryFrom(std::size_t bytes);
 

@@ -137,6 +137,12 @@ Enemies OfOpenCl()
         Sending(OpenClFails("clCreateImage", CL_MEM_OBJECT_ALLOCATION_FAILURE))(session);
       },
       Refused("has no room for"), { "opencl" }, Drawn() },
+    { "opencl_takes_a_volume_in_pieces", Sending(OpenClTakesPiecesOf(100000)), Drawn(),
+      { "opencl" }, Drawn() },
+    { "opencl_takes_only_tiny_pieces", Sending(OpenClTakesPiecesOf(100)),
+      Refused("does not take even bricks of "), { "opencl" }, Drawn() },
+    { "opencl_takes_no_picture_in_one_piece", FromTheBeginning(OpenClTakesPiecesOf(30000)),
+      Refused("takes at most 30000 bytes in one piece"), { "opencl" }, Drawn() },
     { "opencl_does_not_compile",
       [](HostileSession& session)
       {

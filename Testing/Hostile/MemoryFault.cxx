@@ -12,6 +12,8 @@ namespace
 {
 std::atomic<std::size_t> refusedBytes{ std::numeric_limits<std::size_t>::max() };
 cl_int openClError = CL_SUCCESS;
+std::size_t openClPieceBytes = 0;
+volumebench::OpenClApi wholeOpenCl; // what small pieces are asked of
 
 cl_mem CL_API_CALL FailBuffer(cl_context, cl_mem_flags, size_t, void*, cl_int* status)
 {
@@ -55,6 +57,28 @@ void* CL_API_CALL FailMap(cl_command_queue, cl_mem, cl_bool, cl_map_flags, size_
 {
   *status = openClError;
   return nullptr;
+}
+
+cl_int CL_API_CALL SayPieceBytes(
+  cl_device_id device, cl_device_info what, size_t bytes, void* value, size_t* needed)
+{
+  const cl_int status = wholeOpenCl.GetDeviceInfo(device, what, bytes, value, needed);
+  if (what == CL_DEVICE_MAX_MEM_ALLOC_SIZE && value)
+  {
+    *static_cast<cl_ulong*>(value) = openClPieceBytes;
+  }
+  return status;
+}
+
+cl_mem CL_API_CALL MakeSmallBuffer(
+  cl_context context, cl_mem_flags flags, size_t bytes, void* host, cl_int* status)
+{
+  if (bytes > openClPieceBytes)
+  {
+    *status = CL_INVALID_BUFFER_SIZE;
+    return nullptr;
+  }
+  return wholeOpenCl.CreateBuffer(context, flags, bytes, host, status);
 }
 }
 
@@ -112,6 +136,29 @@ private:
   OpenClApi Former;
 };
 
+class SmallPieces : public DeviceFault
+{
+public:
+  explicit SmallPieces(std::size_t bytes)
+    : Bytes(bytes)
+  {
+  }
+
+  void Begin(vtkOpenGLRenderWindow*) override
+  {
+    auto& table = const_cast<OpenClApi&>(OpenCl());
+    wholeOpenCl = table;
+    openClPieceBytes = this->Bytes;
+    table.GetDeviceInfo = &SayPieceBytes;
+    table.CreateBuffer = &MakeSmallBuffer;
+  }
+
+  void End() override { const_cast<OpenClApi&>(OpenCl()) = wholeOpenCl; }
+
+private:
+  std::size_t Bytes;
+};
+
 class RefusedMemory : public DeviceFault
 {
 public:
@@ -130,6 +177,11 @@ private:
 DeviceFaultPointer OpenClFails(const std::string& function, int error)
 {
   return std::make_shared<OpenClFault>(function, error);
+}
+
+DeviceFaultPointer OpenClTakesPiecesOf(std::size_t bytes)
+{
+  return std::make_shared<SmallPieces>(bytes);
 }
 
 DeviceFaultPointer NoMemoryFrom(std::size_t bytes)
