@@ -93,6 +93,7 @@ Enemies OfOpenGl()
     { "no_texture_unit_is_free", FromTheBeginning(NoTextureUnitIsFree()),
       Refused("all texture units") },
     { "error_of_somebody_else", Sending(ErrorOfSomebodyElse()), Drawn() },
+    { "error_of_somebody_else_at_first", FromTheBeginning(ErrorOfSomebodyElse()), Drawn() },
   };
 }
 
