@@ -83,7 +83,7 @@ def test_what_fails_fails_with_its_own_code(call: Call) -> None:
 
 
 def test_a_search_for_leaks_that_died_is_tried_again(tmp_path: Path) -> None:
-    """LeakSanitizer may meet a thread that ends: the second of these two runs leaves no report."""
+    """LeakSanitizer may meet a thread that ends: the second of these runs leaves no report."""
     program = tmp_path / "program.py"
     program.write_text(
         "import os, pathlib\n"

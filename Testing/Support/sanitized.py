@@ -27,6 +27,7 @@ RECORD = re.compile(
     r"^(?:Direct|Indirect) leak of .*?(?=^\n|\Z)", re.MULTILINE | re.DOTALL
 )
 # Where threads end while it looks at them. That is no verdict on what was tested.
+TRIES = 4
 TRACER_DIED = "LeakSanitizer has encountered a fatal error"
 LEAK_REPORT = "ERROR: LeakSanitizer: detected memory leaks"
 
@@ -63,10 +64,11 @@ def complaint(report: str, build: str, preloaded: bool) -> str:
 
 
 def run(build: str, preload: str, command: list[str]) -> int:
-    status, found = once(build, preload, command)
-    if any(TRACER_DIED in text for text in found.values()):
-        print("sanitizer: the search for leaks died, and is tried again", flush=True)
+    for _ in range(TRIES):
         status, found = once(build, preload, command)
+        if not any(TRACER_DIED in text for text in found.values()):
+            break
+        print("sanitizer: the search for leaks died, and is tried again", flush=True)
     for name, text in found.items():
         if text:
             print(f"sanitizer: {name}\n{text}", flush=True)
