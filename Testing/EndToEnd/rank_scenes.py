@@ -84,7 +84,10 @@ def along_a_face(view: Any) -> None:
 
 
 def long_steps(view: Any) -> None:
-    show_volume(view, wavelet()).StepVoxels = 2.0
+    """Steps whose ends lie far in what other ranks draw."""
+    display = show_volume(view, wavelet(), opacity=WALL)
+    display.Integrator = "Segment"
+    display.StepVoxels = 6.0
     look(view, 65, 10)
 
 
