@@ -126,7 +126,7 @@ SlabSeries MakeSeries(
     throw SceneError("the step of " + NumberText(scene.Sampling.StepVoxels) +
       " voxels makes more than " + std::to_string(MostSlabs) + " slices");
   }
-  series.Count = std::max(0, static_cast<int>(after - before));
+  series.Count = static_cast<int>(std::max(0.0, after - before)); // below 0 far out of sight
   if (MovesBorders(FeaturesNeededBy(scene)) && series.Count > 0)
   {
     series.Shift = series.Spacing;
