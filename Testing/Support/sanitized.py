@@ -66,7 +66,9 @@ def run(build: str, preload: str, command: list[str]) -> int:
     status, found = once(build, preload, command, LEAKS)
     if any(TRACER_DIED in text for text in found.values()):
         print("sanitizer: the search for leaks died, and is tried again", flush=True)
-        status, found = once(build, preload, command, f"{LEAKS}:use_tls=0")
+        others = {name: text for name, text in found.items() if TRACER_DIED not in text}
+        status, again = once(build, preload, command, f"{LEAKS}:use_tls=0")
+        found = {**others, **again}
     for name, text in found.items():
         if text:
             print(f"sanitizer: {name}\n{text}", flush=True)
