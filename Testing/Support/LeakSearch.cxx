@@ -1,5 +1,5 @@
-// Has lost memory searched for as soon as all tests of a program have ended, before what it holds is
-// torn down.
+// Has lost memory searched for as soon as all tests of a program have ended, before what it holds
+// is torn down.
 #include <gtest/gtest.h>
 #include <sanitizer/lsan_interface.h>
 
