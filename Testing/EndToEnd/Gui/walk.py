@@ -29,7 +29,8 @@ from PyQt5.QtWidgets import (
     QTreeWidgetItem,
     QWidget,
 )
-from support import read_png, rmse, temporary_folder
+from support import temporary_folder
+from walk_pictures import Pictures
 from window import (
     advanced,
     application,
@@ -41,12 +42,10 @@ from window import (
     main_window,
     menu_entry,
     press,
-    report,
     represent,
     representations,
     row,
     rows,
-    save_window,
     settle,
     slide,
     source_panel,
@@ -55,10 +54,6 @@ from window import (
 
 ROOT = Path(__file__).resolve().parents[3]
 PAGE = ROOT / "Documentation" / "walk.md"
-# Times are written in the window, and the page's pictures have 128 colours; a row that moves is beyond.
-SAME_WINDOW = 0.01
-SAME_CHART = 0.05  # which shows times
-STATUS_BAR = 36  # pixels, where the window tells how much memory the machine's programs use
 
 
 class Page:
@@ -93,8 +88,8 @@ def check_the_walk() -> None:
     with temporary_folder() as folder:
         volume = folder / "your-volume.mhd"
         make_volume(volume)
-        pictures = Path(os.environ.get("VOLUMEBENCH_PICTURES", folder))
-        pictures.mkdir(exist_ok=True)
+        wanted = os.environ.get("VOLUMEBENCH_PICTURES")
+        pictures = Pictures(Path(wanted or folder))
         widen_panel()
         find_plugin(page)
         open_volume(page, volume, pictures)
@@ -103,8 +98,8 @@ def check_the_walk() -> None:
         ask(page, display, pictures)
         measure(page, pictures)
         assert page.used == page.names, f"never used: {page.names - page.used}"
-        if pictures == folder:
-            compare_pictures(folder)
+        if not wanted:
+            pictures.compare()
 
 
 def make_volume(path: Path) -> None:
@@ -114,25 +109,6 @@ def make_volume(path: Path) -> None:
     ]  # fmt: skip
     limit_s = patient_s(60)
     subprocess.run(command, check=True, timeout=limit_s, stdout=sys.__stdout__)
-
-
-def compare_pictures(folder: Path) -> None:
-    """Fail unless the window looks as in the page."""
-    kept = sorted((ROOT / "Documentation" / "Pictures").glob("walk-*.png"))
-    made = sorted(folder.glob("walk-*.png"))
-    assert [one.name for one in made] == [one.name for one in kept], made
-    differs = []
-    for ours, theirs in zip(made, kept):
-        ours_seen, theirs_seen = (read_png(one)[:-STATUS_BAR] for one in (ours, theirs))
-        error = rmse(ours_seen, theirs_seen)
-        bound = SAME_CHART if "benchmark" in ours.name else SAME_WINDOW
-        report(f"  {ours.name}: RMSE {error:.4f} (at most {bound})")
-        if error > bound:
-            keep = Path(os.environ["VOLUMEBENCH_DIFFERENT"])
-            keep.mkdir(parents=True, exist_ok=True)
-            (keep / ours.name).write_bytes(ours.read_bytes())
-            differs.append(ours.name)
-    assert not differs, f"{differs} differ; Documentation/Build/walk.sh makes them anew"
 
 
 # --- steps -----------------------------------------------------------------------------------
@@ -194,7 +170,7 @@ def all_items(root: QTreeWidgetItem) -> list[QTreeWidgetItem]:
     return children + [one for child in children for one in all_items(child)]
 
 
-def open_volume(page: Page, volume: Path, pictures: Path) -> None:
+def open_volume(page: Page, volume: Path, pictures: Pictures) -> None:
     menu, entry = page.path("File > Open")
 
     def name_the_file(dialog: QDialog) -> None:
@@ -207,10 +183,10 @@ def open_volume(page: Page, volume: Path, pictures: Path) -> None:
     assert button.text().replace("&", "") == page.name("Apply"), button.text()
     apply()
     settle(500)
-    save(pictures, "1-open")
+    pictures.save("1-open")
 
 
-def choose_technique(page: Page, pictures: Path) -> Any:
+def choose_technique(page: Page, pictures: Pictures) -> Any:
     label = page.name("Volume Compute")
     listed = representations()
     offered = [listed.itemText(index) for index in range(listed.count())]
@@ -223,11 +199,11 @@ def choose_technique(page: Page, pictures: Path) -> Any:
     camera.Elevation(20)
     simple.ResetCamera(view)
     simple.Render(view)
-    save(pictures, "2-compute")
+    pictures.save("2-compute")
     return simple.GetDisplayProperties()
 
 
-def edit(page: Page, display: Any, pictures: Path) -> None:
+def edit(page: Page, display: Any, pictures: Pictures) -> None:
     """The colour map's editor, the step, and the advanced rows."""
     press(row("ColorEditor"), page.name("Edit"))
     editor = dock("colorMapEditorDock")
@@ -237,7 +213,7 @@ def edit(page: Page, display: Any, pictures: Path) -> None:
     slide(labelled(display, page.name("Step (voxels)")).findChild(QSlider), 0.25)
     assert 0.9 < display.StepVoxels < 1.1, display.StepVoxels
     settle(500)
-    save(pictures, "3-edit")
+    pictures.save("3-edit")
     editor.hide()
     few = len(rows(display_panel()))
     advanced(True)
@@ -260,7 +236,7 @@ def labelled(display: Any, label: str) -> QWidget:
     return row(named[0])
 
 
-def ask(page: Page, display: Any, pictures: Path) -> None:
+def ask(page: Page, display: Any, pictures: Pictures) -> None:
     """What the picture is worth, and what it costs."""
     press(display_panel(), page.name("Estimate Error"))
     wait_until(lambda: (display.ErrorText or "").startswith("RMSE"), "an error", 120)
@@ -273,7 +249,7 @@ def ask(page: Page, display: Any, pictures: Path) -> None:
     left_out = labelled(display, page.name("Left Out")).findChild(QTextEdit)
     assert "shading (off)" in left_out.toPlainText(), left_out.toPlainText()
     scroll_to(display_panel, "LeftOutText")
-    save(pictures, "4-error")
+    pictures.save("4-error")
 
 
 def scroll_to(panel: Callable[[], QWidget], name: str) -> None:
@@ -284,7 +260,7 @@ def scroll_to(panel: Callable[[], QWidget], name: str) -> None:
     area.ensureWidgetVisible(rows(panel())[name])
 
 
-def measure(page: Page, pictures: Path) -> None:
+def measure(page: Page, pictures: Pictures) -> None:
     *menus, name = page.path("Filters > Volume > Volume Benchmark")
     menu_entry(*menus, name).trigger()
     settle(300)
@@ -296,8 +272,4 @@ def measure(page: Page, pictures: Path) -> None:
     apply()
     wait_until(lambda: len(simple.GetViews()) == 3, "table and chart")
     scroll_to(source_panel, "ErrorViews")
-    save(pictures, "5-benchmark")
-
-
-def save(pictures: Path, name: str) -> None:
-    save_window(pictures / f"walk-{name}.png")
+    pictures.save("5-benchmark")
