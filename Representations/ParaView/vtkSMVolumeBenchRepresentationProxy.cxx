@@ -14,7 +14,6 @@
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMSession.h"
-#include "vtkSMSessionProxyManager.h"
 
 #include <algorithm>
 #include <string>
@@ -81,13 +80,12 @@ void vtkSMVolumeBenchRepresentationProxy::CreateVTKObjects()
   }
 }
 
-// At once and not with the next picture, so that the GUI undoes both together. A state file brings
-// its own array, or none on purpose.
+// At once and not with the next picture, so that the GUI undoes both together. What a state file
+// brings, an array or none on purpose, is set before there are objects, and stays.
 void vtkSMVolumeBenchRepresentationProxy::OnTypeChosen()
 {
   vtkSMProxy* parent = this->GetParentProxy();
-  if (!parent || this->GetSessionProxyManager()->GetInLoadXMLState() ||
-    !IsOurs(vtkSMPropertyHelper(parent, "Representation").GetAsString()) ||
+  if (!parent || !IsOurs(vtkSMPropertyHelper(parent, "Representation").GetAsString()) ||
     vtkSMPVRepresentationProxy::GetUsingScalarColoring(parent))
   {
     return;

@@ -107,16 +107,32 @@ def check_every_representation_and_the_filter() -> None:
             expect_kept_by(name, label)
 
 
+def check_a_volume_without_an_array_stays_without() -> None:
+    """Choosing one of ours in the panel colours it; a file that says otherwise is right."""
+    for name in ("state.pvsm", "state.py"):
+        simple.ResetSession()
+        scene()
+        simple.ColorBy(the_display(), None)
+        assert not array_of(the_display()), array_of(the_display())
+        with temporary_folder() as folder:
+            save_file(folder / name)
+            simple.ResetSession()
+            open_file(folder / name)
+        simple.Render()
+        assert not array_of(the_display()), f"{name}: {array_of(the_display())}"
+
+
+def array_of(display: Any) -> str:
+    """Return the name of the array that a representation is coloured by."""
+    return display.ColorArrayName[1] or ""
+
+
 def expect_kept_by(name: str, label: str) -> None:
     """Fail unless a state file of the session brings everything back."""
     with temporary_folder() as folder:
-        path = folder / name
-        if path.suffix == ".py":
-            path.write_text(smstate.get_state())
-        else:
-            simple.SaveState(str(path))
+        save_file(folder / name)
         simple.ResetSession()
-        open_file(path)
+        open_file(folder / name)
     display, bench = the_display(), simple.FindSource("Benchmark")
     assert display.Representation == label, f"{name}: {display.Representation}"
     for proxy, rows in ((display, SETTINGS), (bench, FILTER)):
@@ -124,6 +140,13 @@ def expect_kept_by(name: str, label: str) -> None:
             actual = getattr(proxy, row)
             same = list(actual) == value if isinstance(value, list) else actual == value
             assert same, f"{label}, {name}: {row} is {actual}, not {value}"
+
+
+def save_file(path: Path) -> None:
+    if path.suffix == ".py":
+        path.write_text(smstate.get_state())
+    else:
+        simple.SaveState(str(path))
 
 
 def open_file(path: Path) -> None:
