@@ -66,6 +66,7 @@ FunctionChanges::FunctionChanges(const Scene& scene)
 void FunctionChanges::AddRow(const SharedTable<glm::vec4>& table, int apart)
 {
   std::vector<double> first(table.size());
+  std::vector<double> firstSquare(table.size());
   std::vector<double> second(table.size());
   std::vector<double> color(table.size());
   const int before = std::max(1, apart / 2);
@@ -75,6 +76,7 @@ void FunctionChanges::AddRow(const SharedTable<glm::vec4>& table, int apart)
     const glm::vec4& low = table[std::max(i - apart / 2, 0)];
     const glm::vec4& high = table[std::min(i + apart - apart / 2, this->LastEntry)];
     first[i] = 0.5 * glm::length(Shown(high) - Shown(low));
+    firstSquare[i] = first[i] * first[i];
     const glm::vec4& behind = table[std::max(i - before, 0)];
     const glm::vec4& ahead = table[std::min(i + before, this->LastEntry)];
     second[i] = share * glm::length(Shown(ahead) - 2.0 * Shown(table[i]) + Shown(behind));
@@ -82,6 +84,7 @@ void FunctionChanges::AddRow(const SharedTable<glm::vec4>& table, int apart)
     color[i] = seen ? glm::length(glm::dvec3(high) - glm::dvec3(low)) / std::sqrt(3.0) : 0.0;
   }
   this->FirstSums.push_back(PrefixSums(first));
+  this->FirstSquareSums.push_back(PrefixSums(firstSquare));
   this->SecondSums.push_back(PrefixSums(second));
   this->ColorSums.push_back(PrefixSums(color));
 }
@@ -120,6 +123,11 @@ double FunctionChanges::MeanOf(
 double FunctionChanges::First(const Range& range, double entries) const
 {
   return this->MeanOf(this->FirstSums, range, entries, 1.0);
+}
+
+double FunctionChanges::FirstSquare(const Range& range, double entries) const
+{
+  return this->MeanOf(this->FirstSquareSums, range, entries, 2.0);
 }
 
 double FunctionChanges::Second(const Range& range, double entries) const

@@ -36,6 +36,9 @@ public:
   double Second(const Range& range, double entries) const;
   double Color(const Range& range, double entries) const;
 
+  /// Of the squares of what First is the mean of.
+  double FirstSquare(const Range& range, double entries) const;
+
   double MeanExtinction(const Range& range) const;
   double LeastExtinction(const Range& range) const;
 
@@ -51,6 +54,7 @@ private:
   double EntriesPerValue = 0.0;
   int LastEntry = 0;
   Rows FirstSums;
+  Rows FirstSquareSums;
   Rows SecondSums;
   Rows ColorSums;
   std::vector<double> ExtinctionSums;
