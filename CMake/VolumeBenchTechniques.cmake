@@ -61,8 +61,9 @@ function(volumebench_technique id)
   set("volumebench_settings_${id}" "${settings}" PARENT_SCOPE)
 endfunction()
 
-# Writes the hints that show a property's row only while a technique with that setting is chosen.
-function(volumebench_shown_for setting hints_variable)
+# Writes the decorator that shows a property's row only while a technique with that setting is chosen, and the
+# hints with it alone.
+function(volumebench_shown_for setting decorator_variable hints_variable)
   set(conditions "")
   foreach(id IN LISTS volumebench_technique_ids)
     if("${setting}" IN_LIST "volumebench_settings_${id}")
@@ -77,15 +78,14 @@ function(volumebench_shown_for setting hints_variable)
       "              <PropertyWidgetDecorator type=\"GenericDecorator\" mode=\"visibility\"\n"
       "                property=\"Representation\" value=\"none\" />\n")
   endif()
-  string(CONCAT hints
-    "        <Hints>\n"
+  string(CONCAT decorator
     "          <PropertyWidgetDecorator type=\"CompositeDecorator\">\n"
     "            <Expression type=\"or\">\n"
     "${conditions}"
     "            </Expression>\n"
-    "          </PropertyWidgetDecorator>\n"
-    "        </Hints>")
-  set("${hints_variable}" "${hints}" PARENT_SCOPE)
+    "          </PropertyWidgetDecorator>")
+  set("${decorator_variable}" "${decorator}" PARENT_SCOPE)
+  set("${hints_variable}" "        <Hints>\n${decorator}\n        </Hints>" PARENT_SCOPE)
 endfunction()
 
 # Writes the factory table from the rows; its source goes to the variable named `source_variable`.
@@ -124,7 +124,7 @@ function(volumebench_generate_xml template xml_variable)
       "                    property=\"Representation\" value=\"${label}\" inverse=\"1\" />\n")
   endforeach()
   foreach(setting IN LISTS volumebench_common_settings volumebench_technique_settings)
-    volumebench_shown_for("${setting}" "SHOWN_FOR_${setting}")
+    volumebench_shown_for("${setting}" "DECORATOR_FOR_${setting}" "SHOWN_FOR_${setting}")
   endforeach()
   list(JOIN volumebench_technique_ids ", " TECHNIQUE_IDS)
   foreach(part IN LISTS ARGN)

@@ -3,6 +3,7 @@
 #include "Bricks/VolumeShare.h"
 #include "Gpu/GlContextGuard.h"
 #include "Scene/CameraBuilder.h"
+#include "Scene/CellMap.h"
 #include "Scene/FrameRate.h"
 #include "Scene/FromVtk.h"
 #include "Scene/PictureStamp.h"
@@ -255,6 +256,8 @@ void VolumePainter::Draw(vtkVolumeBenchMapper* mapper, vtkRenderer* renderer, vt
   for (const PartScene& scene : scenes)
   {
     scene.Drawn->Features = scene.Drawn->Technique->GetFeatures();
+    const auto& cells = scene.Scene.Skipping.Cells;
+    scene.Drawn->ExpectedError = cells ? cells->ExpectedError : 0.0;
     scene.Drawn->LeftOut = FeaturesLeftOut(scene.Scene, scene.Drawn->Features);
   }
   this->FullScaleSamples = mapper->GetShow() == vtkVolumeBenchMapper::Picture

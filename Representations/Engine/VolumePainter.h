@@ -66,6 +66,10 @@ public:
   std::vector<LeftOutFeature> GetLeftOut() const;
   ///@}
 
+  /// Of the last picture whose steps an error target chose, of the worst of its blocks; NaN of
+  /// others.
+  double GetExpectedError() const;
+
   /// Samples that have the last colour in the last picture; NaN unless it shows samples.
   double GetFullScaleSamples() const { return this->FullScaleSamples; }
 
@@ -80,6 +84,7 @@ private:
     std::unique_ptr<volumebench::Technique> Technique;
     std::string Name;    // of the block, for messages
     FeatureSet Features; // of the last picture in the window
+    double ExpectedError = 0.0;
     std::vector<LeftOutFeature> LeftOut;
   };
 

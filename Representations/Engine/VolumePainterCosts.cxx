@@ -45,6 +45,20 @@ std::vector<LeftOutFeature> VolumePainter::GetLeftOut() const
   return leftOut;
 }
 
+double VolumePainter::GetExpectedError() const
+{
+  if (!Has(this->GetFeatures(), Feature::AdaptiveSteps))
+  {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+  double worst = 0.0;
+  for (const std::unique_ptr<Part>& part : this->Parts)
+  {
+    worst = std::max(worst, part->ExpectedError);
+  }
+  return worst;
+}
+
 double VolumePainter::GetFrameMs()
 {
   if (!this->Window)

@@ -243,6 +243,11 @@ double vtkVolumeBenchMapper::GetFrameMs() const
   return this->Internal->HasPicture() ? this->Internal->Painter.GetFrameMs() : vtkMath::Nan();
 }
 
+double vtkVolumeBenchMapper::GetExpectedError() const
+{
+  return this->Internal->HasPicture() ? this->Internal->Painter.GetExpectedError() : vtkMath::Nan();
+}
+
 double vtkVolumeBenchMapper::GetFullScaleSamples() const
 {
   return this->Internal->HasPicture() ? this->Internal->Painter.GetFullScaleSamples()

@@ -287,6 +287,13 @@ public:
    */
   double GetFrameMs() const;
 
+  /**
+   * Root mean square error that the steps by the ErrorTarget let expect of the last frame: more
+   * than the target where the shortest steps are too long for it; NaN when its steps were chosen by
+   * none.
+   */
+  double GetExpectedError() const;
+
   /** Samples that are yellow in the last frame: of the longest ray, skipping none; else NaN. */
   double GetFullScaleSamples() const;
 

@@ -22,7 +22,7 @@
 namespace
 {
 // Known only to a process that has drawn the picture.
-constexpr const char* PictureRows[] = { "UsedText", "LeftOutText", "LastFrameMs",
+constexpr const char* PictureRows[] = { "UsedText", "LeftOutText", "LastFrameMs", "ExpectedError",
   "FullScaleSamples", "SamplesText", "SamplesTaken", "SamplesPerRay", "OpenclDevices" };
 
 constexpr const char* ErrorRows[] = { "ErrorText", "ErrorRmse", "LargestError", "ReferenceSeconds",

@@ -126,6 +126,7 @@ public:
   const char* GetUsedText();
   const char* GetLeftOutText();
   double GetLastFrameMs();
+  double GetExpectedError();
   double GetFullScaleSamples();
   ///@}
 

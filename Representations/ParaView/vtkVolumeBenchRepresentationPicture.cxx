@@ -63,6 +63,11 @@ double vtkVolumeBenchRepresentation::GetLastFrameMs()
   return this->IsDrawn() ? this->GetMapper()->GetFrameMs() : vtkMath::Nan();
 }
 
+double vtkVolumeBenchRepresentation::GetExpectedError()
+{
+  return this->IsDrawn() ? this->GetMapper()->GetExpectedError() : vtkMath::Nan();
+}
+
 void vtkVolumeBenchRepresentation::CountSamples()
 {
   this->SamplesRefusal.clear();

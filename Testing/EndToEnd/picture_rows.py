@@ -31,6 +31,7 @@ ROWS = {
     "LastFrameMs": "default",
     "UsedText": "advanced",
     "LeftOutText": "default",
+    "ExpectedError": "advanced",
     "SamplesText": "default",
 }
 HAZE = [(37.0, 0.0), (277.0, 0.01)]

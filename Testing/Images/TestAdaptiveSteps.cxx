@@ -27,6 +27,32 @@ vtkSmartPointer<vtkImageData> HillsInAir()
     VTK_FLOAT);
 }
 
+// Isosurfaces of a field that turns within a few voxels: rays touch them, and turn back.
+vtkSmartPointer<vtkImageData> Ripples()
+{
+  return MakeImage(
+    29, 27, 25,
+    [](double i, double j, double k)
+    {
+      const double off = std::hypot(i - 14.0, j - 13.0, k - 12.0) / 14.0;
+      return std::exp(-off * off) +
+        0.12 * (std::sin(1.9 * i) + std::sin(1.5 * j) + std::cos(1.7 * k));
+    },
+    VTK_FLOAT);
+}
+
+vtkSmartPointer<vtkVolumeProperty> WallProperty()
+{
+  auto property = MakeConstantProperty(0.0);
+  vtkNew<vtkPiecewiseFunction> opacity;
+  opacity->AddPoint(0.0, 0.0);
+  opacity->AddPoint(0.6, 0.0);
+  opacity->AddPoint(0.61, 0.999);
+  opacity->AddPoint(2.0, 0.999);
+  property->SetScalarOpacity(opacity);
+  return property;
+}
+
 bool Uses(const RenderScene& scene, const std::string& feature)
 {
   return (" " + scene.Mapper->GetFeatures() + " ").find(" " + feature + " ") != std::string::npos;
@@ -58,7 +84,9 @@ TEST_P(AdaptivePictures, KeepTheTarget)
       ASSERT_EQ(scene.Mapper->GetFailure(), "");
       ASSERT_TRUE(Uses(scene, "adaptive-steps"));
       const double rmse = CompareImages(picture, truth).Rmse;
-      EXPECT_LE(rmse, target) << "integrator " << integrator;
+      const double expected = scene.Mapper->GetExpectedError();
+      EXPECT_LE(rmse, expected) << "integrator " << integrator;
+      EXPECT_LE(expected, target) << "integrator " << integrator;
       EXPECT_GT(rmse, 0.0);
       scene.Mapper->SetCountSamples(true);
       const FloatPicture counts = scene.Picture();
@@ -74,6 +102,31 @@ TEST_P(AdaptivePictures, KeepTheTarget)
   }
 }
 
+TEST_P(AdaptivePictures, OfAWallKeepTheTargetOrTellThatTheyDoNot)
+{
+  if (!VariesSteps(GetParam()))
+  {
+    GTEST_SKIP() << "all its steps are alike";
+  }
+  RenderScene exact("reference", Ripples(), WallProperty());
+  const FloatPicture truth = exact.Picture();
+  RenderScene scene(GetParam(), Ripples(), WallProperty());
+  scene.Mapper->SetStepVoxels(0.5);
+  for (const int integrator : { 1, 2 })
+  {
+    scene.Mapper->SetIntegrator(integrator);
+    for (const double target : { 3e-2, 1e-2, 1e-6 })
+    {
+      scene.Mapper->SetErrorTarget(target);
+      const double rmse = CompareImages(scene.Picture(), truth).Rmse;
+      ASSERT_EQ(scene.Mapper->GetFailure(), "");
+      const double expected = scene.Mapper->GetExpectedError();
+      EXPECT_LE(rmse, expected) << "integrator " << integrator << ", target " << target;
+      EXPECT_EQ(expected <= target, target > 1e-6) << expected << ", target " << target;
+    }
+  }
+}
+
 TEST_P(AdaptivePictures, AreAsEverWithoutATarget)
 {
   RenderScene scene(GetParam(), HillsInAir(), HillsProperty());
@@ -81,9 +134,11 @@ TEST_P(AdaptivePictures, AreAsEverWithoutATarget)
   scene.Mapper->SetErrorTarget(0.01);
   const FloatPicture with = scene.Picture();
   EXPECT_EQ(with.Pixels == before.Pixels, !VariesSteps(GetParam()));
+  EXPECT_EQ(std::isnan(scene.Mapper->GetExpectedError()), !VariesSteps(GetParam()));
   scene.Mapper->SetErrorTarget(0.0);
   EXPECT_EQ(scene.Picture().Pixels, before.Pixels);
   EXPECT_FALSE(Uses(scene, "adaptive-steps"));
+  EXPECT_TRUE(std::isnan(scene.Mapper->GetExpectedError()));
 }
 
 TEST_P(AdaptivePictures, TellWhyTheTargetIsNotKept)

@@ -98,12 +98,15 @@ TEST(FunctionChanges, AreMeansOverAnyRange)
     double mean = 0.0;
     float least = table[range.First].w;
     double apart = 0.0;
+    double squares = 0.0;
     for (int i = range.First; i <= range.Last; ++i)
     {
       mean += table[i].w;
       least = std::min(least, table[i].w);
       const auto high = std::min<std::size_t>(i + 32, table.size() - 1);
-      apart += table[high].w - table[std::max(i - 32, 0)].w;
+      const double change = table[high].w - table[std::max(i - 32, 0)].w;
+      apart += change;
+      squares += change * change;
     }
     const int count = range.Last - range.First + 1;
     EXPECT_NEAR(changes.MeanExtinction(range), mean / count, 1e-9);
@@ -111,6 +114,7 @@ TEST(FunctionChanges, AreMeansOverAnyRange)
     // There is one colour, so the four numbers of a pixel change in proportion.
     const double ofAll = 0.5 * glm::length(glm::vec4(glm::vec3(table[0]), 1.0f));
     EXPECT_NEAR(changes.First(range, 64.0), ofAll * apart / count, 1e-6);
+    EXPECT_NEAR(changes.FirstSquare(range, 64.0), ofAll * ofAll * squares / count, 1e-6);
   }
 }
 

@@ -31,7 +31,7 @@ struct ErrorModel
 // Rays that turn within a step are few of Midpoint's errors: its samples miss crossings far more
 // often.
 constexpr ErrorModel MidpointModel = { 0.25, 0.013, 0.17, 0.0 };
-constexpr ErrorModel SegmentModel = { 0.01, 0.02, 0.05, 0.125 };
+constexpr ErrorModel SegmentModel = { 0.01, 0.02, 0.05, 0.14 };
 
 // To tell which of the two is better: both miss the rays that turn, so these are left out.
 constexpr ErrorModel ComparedSegmentModel = { 0.01, 0.05, 0.05, 0.0 };

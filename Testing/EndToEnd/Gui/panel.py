@@ -28,6 +28,7 @@ HIDDEN_BY_ROWS = {
     "GradientOpacityRange": "Gradient Opacity",
     "LightingDamping": "Shade",
     "FullScaleSamples": "Show",
+    "ExpectedError": "Error Target",
     "SamplesText": "Count Samples",
     "ErrorText": "Estimate Error",
     "ErrorRmse": "Estimate Error",
@@ -192,6 +193,21 @@ def check_error_rows_come_with_the_estimate() -> None:
     written = float(row("ErrorRmse").findChild(QLineEdit).text())
     known = display.ErrorRmse
     assert 0 < known < 0.1 and abs(written - known) < 1e-5, (written, known)
+
+
+def check_expected_error_comes_with_the_target() -> None:
+    display = wavelet("Volume Compute")
+    advanced(True)
+    assert "ExpectedError" not in rows(display_panel()), "nothing is expected"
+    display.ErrorTarget = 0.01
+    simple.Render()
+    wait_until(lambda: "ExpectedError" in rows(display_panel()), "the expected error")
+    field = row("ExpectedError").findChild(QLineEdit)
+    wait_until(lambda: 0 < float(field.text()) <= 0.01, "an error within the target")
+    assert not field.isEnabled() or field.isReadOnly(), "it can be edited"
+    represent("Volume Slices")
+    assert "ExpectedError" not in rows(display_panel()), "its steps are all alike"
+    advanced(False)
 
 
 def check_samples_row_comes_with_the_count() -> None:
