@@ -253,6 +253,10 @@ def ask_server(port: int) -> None:
         assert frame_ms(display) > 0, frame_ms(display)
         display.SMProxy.UpdatePropertyInformation()
         assert frame_ms(display) > 0, "reading all rows lost this one"
+    display.Shade, display.ErrorTarget = 0, 0.01
+    simple.Render(view)
+    expected = display.GetProperty("ExpectedError").GetData()
+    assert 0 < expected <= 0.01, expected
     taken, per_ray, text = counted(display, view)
     assert taken > 1e4 and 1 < per_ray < 100 and "million" in text, (taken, text)
 

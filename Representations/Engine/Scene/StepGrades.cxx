@@ -83,8 +83,8 @@ double MissedSquare(const CellLook& cell, const FunctionChanges& function, const
 {
   // Between the square of the step, as of a smooth field, and the step itself, as of one that turns
   // at the faces between voxels only.
-  const double departure = std::min(model.Turn * cell.Bend * std::pow(step, 1.5), cell.Entry);
-  const double mean = function.First(cell.Entries, departure);
+  const double departure = std::min(model.Turn * cell.Bend * step * std::sqrt(step), cell.Entry);
+  const double mean = departure > 0.0 ? function.First(cell.Entries, departure) : 0.0;
   // As if the function changed by `change` for some values, and not at all for the others.
   const double change = mean > 0.0 ? function.FirstSquare(cell.Entries, departure) / mean : 0.0;
   if (!(change > 0.0))
